@@ -1,0 +1,26 @@
+# Flags shared by every target. The bits of the state must not depend on the compiler's mood: no contraction into fused
+# multiply-adds. errno and floating-point traps are not used, so that square roots and selections can be vectorised.
+add_library(repose_flags INTERFACE)
+target_include_directories(repose_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
+target_compile_options(repose_flags INTERFACE
+  -Wno-restrict  # GCC 12 warns falsely in its own std::string (bug 105651)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  -ffp-contract=off -fno-math-errno -fno-trapping-math
+  $<$<BOOL:${REPOSE_WERROR}>:-Werror>)
+# Without Open MPI's obsolete C++ classes, whose library is not linked.
+target_compile_definitions(repose_flags INTERFACE OMPI_SKIP_MPICXX)
+
+# The first finding ends the process. The environment for running such a build: test preset asan in CMakePresets.json.
+option(REPOSE_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+if(REPOSE_SANITIZE)
+  set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(repose_flags INTERFACE ${sanitize})
+  target_link_options(repose_flags INTERFACE ${sanitize})
+endif()
+
+# repose_library(NAME SOURCES ... LINK ...): the library of one folder under src.
+function(repose_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_library(repose_${name} STATIC ${arg_SOURCES})
+  target_link_libraries(repose_${name} PUBLIC repose_flags ${arg_LINK})
+endfunction()

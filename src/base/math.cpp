@@ -1,0 +1,40 @@
+#include "base/math.h"
+
+#include <cmath>
+
+namespace repose {
+
+double log_reproducible(double x) {
+  int exponent = 0;
+  double mantissa = std::frexp(x, &exponent);  // exact: x = mantissa 2^exponent, mantissa in [0.5, 1)
+  if (mantissa < 0.7071067811865476) {
+    mantissa *= 2.0;
+    --exponent;
+  }
+  // ln m = 2 artanh(s), s = (m-1)/(m+1), |s| < 0.172: the series converges as s^(2k+1)/(2k+1)
+  const double s = (mantissa - 1.0) / (mantissa + 1.0);
+  const double s2 = s * s;
+  double series = 0.0;
+  for (int k = 23; k >= 3; k -= 2) series = s2 * (series + 1.0 / k);
+  // ln 2 in two parts: the first has trailing zeros, so that its multiples are exact
+  constexpr double ln2_high = 6.93147180369123816490e-01;
+  constexpr double ln2_low = 1.90821492927058770002e-10;
+  const double e = exponent;
+  return e * ln2_high + (2.0 * s + (2.0 * s * series + e * ln2_low));
+}
+
+double fifth_root(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  const int root_exponent = exponent / 5 + 1;  // a start above the root: Newton then falls monotonically
+  double y = std::ldexp(1.0, root_exponent);
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const double y2 = y * y;
+    const double next = y - (y - x / (y2 * y2)) / 5.0;
+    if (!(next < y)) break;
+    y = next;
+  }
+  return y;
+}
+
+}  // namespace repose

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace repose {
+
+inline constexpr double pi = 3.141592653589793;
+
+/// Natural logarithm of x > 0, within 2 ulp, by arithmetic only: the same bits on every machine. (libm chooses variants
+/// with fused multiply-adds at load time, whose results differ.)
+double log_reproducible(double x);
+
+/// x^(1/5) for x > 0, within 2 ulp, by arithmetic only (Newton's iteration from a power of two).
+double fifth_root(double x);
+
+}  // namespace repose

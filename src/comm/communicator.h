@@ -1,0 +1,138 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <mpi.h>
+
+namespace repose {
+
+/// MPI_Init and MPI_Finalize as a scope.
+class MpiGuard {
+ public:
+  MpiGuard(int* argc, char*** argv);
+  ~MpiGuard();
+  MpiGuard(const MpiGuard&) = delete;
+  MpiGuard& operator=(const MpiGuard&) = delete;
+};
+
+template <class T>
+MPI_Datatype mpi_type();
+template <>
+inline MPI_Datatype mpi_type<char>() {
+  return MPI_CHAR;
+}
+template <>
+inline MPI_Datatype mpi_type<int>() {
+  return MPI_INT;
+}
+template <>
+inline MPI_Datatype mpi_type<std::int64_t>() {
+  return MPI_INT64_T;
+}
+template <>
+inline MPI_Datatype mpi_type<std::uint64_t>() {
+  return MPI_UINT64_T;
+}
+template <>
+inline MPI_Datatype mpi_type<double>() {
+  return MPI_DOUBLE;
+}
+
+/// Throws std::runtime_error with MPI's own text when `code` is not MPI_SUCCESS.
+void check_mpi(int code, const char* call);
+
+/// A duplicate of an MPI communicator, freed with the object. Every member but rank, size and handle is collective.
+class Communicator {
+ public:
+  explicit Communicator(MPI_Comm parent);
+  ~Communicator();
+  Communicator(const Communicator&) = delete;
+  Communicator& operator=(const Communicator&) = delete;
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool is_root() const { return rank_ == 0; }
+  MPI_Comm handle() const { return comm_; }
+
+  template <class T>
+  T sum(T value) const {
+    return reduce(value, MPI_SUM);
+  }
+  template <class T>
+  T max(T value) const {
+    return reduce(value, MPI_MAX);
+  }
+  template <class T>
+  T min(T value) const {
+    return reduce(value, MPI_MIN);
+  }
+  /// Element by element over the ranks, in place; all ranks pass the same length.
+  template <class T>
+  void sum_elements(std::span<T> values) const {
+    reduce(values, MPI_SUM);
+  }
+  template <class T>
+  void max_elements(std::span<T> values) const {
+    reduce(values, MPI_MAX);
+  }
+  /// Sum over the ranks below this one.
+  std::int64_t exclusive_sum(std::int64_t value) const;
+
+  template <class T>
+  std::vector<T> all_gather(T value) const {
+    std::vector<T> all(static_cast<std::size_t>(size_));
+    check_mpi(MPI_Allgather(&value, 1, mpi_type<T>(), all.data(), 1, mpi_type<T>(), comm_), "MPI_Allgather");
+    return all;
+  }
+  /// The values of all ranks, in rank order, on rank 0; empty elsewhere.
+  template <class T>
+  std::vector<T> gather(const std::vector<T>& mine) const;
+
+  template <class T>
+  void broadcast(T& value, int root = 0) const {
+    check_mpi(MPI_Bcast(&value, 1, mpi_type<T>(), root, comm_), "MPI_Bcast");
+  }
+  void broadcast(std::string& text, int root = 0) const;
+
+  /// Sends send[r] to rank r; returns what every rank sent here, one vector per source.
+  std::vector<std::vector<char>> exchange(const std::vector<std::vector<char>>& send) const;
+
+  void barrier() const { check_mpi(MPI_Barrier(comm_), "MPI_Barrier"); }
+
+ private:
+  template <class T>
+  T reduce(T value, MPI_Op op) const {
+    reduce(std::span<T>(&value, 1), op);
+    return value;
+  }
+  template <class T>
+  void reduce(std::span<T> values, MPI_Op op) const {
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), mpi_type<T>(), op, comm_),
+              "MPI_Allreduce");
+  }
+
+  MPI_Comm comm_ = MPI_COMM_NULL;
+  int rank_ = 0;
+  int size_ = 1;
+};
+
+template <class T>
+std::vector<T> Communicator::gather(const std::vector<T>& mine) const {
+  const std::vector<int> counts = all_gather(static_cast<int>(mine.size()));
+  std::vector<int> offsets(counts.size(), 0);
+  int total = 0;
+  for (std::size_t r = 0; r < counts.size(); ++r) {
+    offsets[r] = total;
+    total += counts[r];
+  }
+  std::vector<T> all(is_root() ? static_cast<std::size_t>(total) : 0);
+  check_mpi(MPI_Gatherv(mine.data(), static_cast<int>(mine.size()), mpi_type<T>(), all.data(), counts.data(),
+                        offsets.data(), mpi_type<T>(), 0, comm_),
+            "MPI_Gatherv");
+  return all;
+}
+
+}  // namespace repose

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// What the program was asked to do.
+struct CommandLine {
+  enum class Action { run, check, keys, version, none };
+
+  Action action = Action::none;
+  std::string text;                    ///< none: the help to print
+  std::string deck;                    ///< run, check: path of the deck
+  std::string output;                  ///< run: directory of the results
+  std::vector<std::string> overrides;  ///< run, check: "key=value" of each --set, in order
+  std::string vector_level = "auto";   ///< run: auto, sse2, avx2, avx512
+  bool quiet = false;                  ///< run: no progress lines
+};
+
+/// Parses the command line and prints nothing. Throws DeckError (exit code 2) with one line when it is wrong.
+CommandLine parse_command_line(int argc, char** argv);
+
+}  // namespace repose

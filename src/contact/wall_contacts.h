@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/contact_memory.h"
+#include "scene/materials.h"
+#include "scene/particles.h"
+#include "scene/wall.h"
+
+namespace repose {
+
+/// A particle touching a feature of a wall.
+struct WallContact {
+  std::int32_t particle;  ///< local index
+  std::int32_t wall;
+  std::int32_t feature;
+  double overlap;  ///< m
+  ContactHistory history;
+};
+
+struct WallAlarms {
+  std::int64_t too_deep = 0;      ///< contacts whose overlap exceeds the bound
+  std::int64_t out_of_range = 0;  ///< forces (or NaN) that the fixed-point sum cannot hold
+  std::int64_t too_many = 0;      ///< particles with more touches than a TouchBuffer holds
+  bool any() const { return too_deep + out_of_range + too_many > 0; }
+};
+
+/// The contacts of the owned particles with walls.
+class WallContacts {
+ public:
+  /// Lists the walls, present or not, within the reach (m) of each owned particle, and gives the contacts their histories.
+  void build(const Particles& particles, std::span<const Wall> walls, std::span<const double> reach,
+             const Csr<WallMemory>& memory);
+
+  /// Evaluates the contact law with every present wall and adds force and torque to the particles' sums. Histories advance
+  /// by `dt` s. A history follows its contact from one feature of a wall to the next, and across flush seams of two walls.
+  WallAlarms evaluate(std::span<const Wall> walls, const MaterialTable& materials, double dt, double max_overlap,
+                      Particles& particles);
+
+  std::span<const WallContact> contacts() const { return contacts_; }
+  /// The histories of all contacts, by owned particle.
+  Csr<WallMemory> memory(std::size_t owned) const;
+
+ private:
+  struct Candidate {
+    std::int32_t particle;
+    std::int32_t first_wall;  ///< into candidate_walls_
+    std::int32_t walls;
+  };
+  ContactHistory inherited(std::span<const WallContact> before, std::span<const Wall> walls, const TouchBuffer& touches,
+                           int touch) const;
+
+  std::vector<Candidate> candidates_;
+  std::vector<std::int32_t> candidate_walls_;
+  std::vector<WallContact> contacts_;  ///< in the order of the candidates
+  std::vector<WallContact> before_;    ///< those of the step before, while evaluate runs
+};
+
+}  // namespace repose

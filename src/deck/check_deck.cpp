@@ -1,0 +1,167 @@
+#include "deck/check_deck.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "deck/nearest.h"
+
+namespace repose {
+namespace {
+
+std::string element(const char* section, std::size_t index, const char* key) {
+  return fmt::format("{}.{}.{}", section, index, key);
+}
+
+bool is_name(const std::string& text) {
+  const auto is_allowed = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+  };
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
+         std::all_of(text.begin(), text.end(), is_allowed);
+}
+
+template <class S>
+std::vector<std::string> check_names(const char* section, const std::vector<S>& all, DeckErrors& errors) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& name = all[i].name;
+    const std::string key = element(section, i, "name");
+    if (!is_name(name)) {
+      errors.add(key, fmt::format("\"{}\" is no name; begin with a letter, then letters, digits, _ or -", name));
+    }
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+      errors.add(key, fmt::format("there are two [[{}]] \"{}\"; a name is used once", section, name));
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+void check_material(const std::string& key, const std::string& name, const std::vector<std::string>& materials,
+                    DeckErrors& errors) {
+  if (std::find(materials.begin(), materials.end(), name) != materials.end()) return;
+  errors.add(key, fmt::format("unknown material \"{}\"; the nearest is \"{}\"", name, nearest(name, materials)));
+}
+
+void check_materials(const Deck& deck, const std::vector<std::string>& materials, DeckErrors& errors) {
+  for (std::size_t i = 0; i < deck.pairs.size(); ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      check_material(fmt::format("pair.{}.materials.{}", i, k), deck.pairs[i].materials[k], materials, errors);
+    }
+  }
+  for (std::size_t i = 0; i < deck.walls.size(); ++i) {
+    check_material(element("wall", i, "material"), deck.walls[i].material, materials, errors);
+  }
+  for (std::size_t i = 0; i < deck.particles.size(); ++i) {
+    if (deck.particles[i].type != ParticlesType::fill) continue;
+    check_material(element("particles", i, "material"), deck.particles[i].material, materials, errors);
+  }
+}
+
+using PairName = std::pair<std::string, std::string>;
+
+PairName sorted(const std::string& a, const std::string& b) { return a < b ? PairName{a, b} : PairName{b, a}; }
+
+void check_pairs(const Deck& deck, DeckErrors& errors) {
+  std::set<PairName> given;
+  for (std::size_t i = 0; i < deck.pairs.size(); ++i) {
+    const auto& [a, b] = deck.pairs[i].materials;
+    if (given.insert(sorted(a, b)).second) continue;
+    errors.add(element("pair", i, "materials"),
+               fmt::format("the pair of \"{}\" and \"{}\" is given twice; the order of the two does not matter", a, b));
+  }
+  const auto check_given = [&](const std::string& key, const std::string& a, const std::string& b) {
+    if (given.contains(sorted(a, b))) return;
+    errors.add(
+        key,
+        fmt::format("no [[pair]] for \"{0}\" and \"{1}\", which can touch; add materials = [\"{0}\", \"{1}\"]", a, b));
+  };
+  for (std::size_t i = 0; i < deck.particles.size(); ++i) {
+    if (deck.particles[i].type != ParticlesType::fill) continue;  // the materials of a list are known once it is read
+    const std::string& material = deck.particles[i].material;
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (deck.particles[j].type != ParticlesType::fill) continue;
+      check_given(element("particles", i, "material"), material, deck.particles[j].material);
+    }
+    for (std::size_t w = 0; w < deck.walls.size(); ++w) {
+      check_given(element("wall", w, "material"), material, deck.walls[w].material);
+    }
+  }
+}
+
+void check_box(const std::string& section, const Vec3& min, const Vec3& max, DeckErrors& errors) {
+  if (min.x < max.x && min.y < max.y && min.z < max.z) return;
+  errors.add(section + ".max", "\"max\" must be greater than \"min\" in x, y and z");
+}
+
+/// The box around the region of a fill.
+DomainDeck bounds(const ParticlesDeck& p) {
+  if (p.region == RegionShape::box) return {p.min, p.max};
+  const double r = std::max(p.radius, p.radius_top);
+  return {{p.centre.x - r, p.centre.y - r, p.centre.z}, {p.centre.x + r, p.centre.y + r, p.centre.z + p.height}};
+}
+
+void check_fill(std::size_t i, const Deck& deck, DeckErrors& errors) {
+  const ParticlesDeck& p = deck.particles[i];
+  const std::string section = fmt::format("particles.{}", i);
+  const bool has_mass = p.mass > 0.0;
+  const bool has_count = p.count > 0;
+  if (has_mass && has_count) errors.add(section + ".count", "\"mass\" and \"count\" are both given; remove one");
+  if (!has_mass && !has_count) errors.add(section, "[[particles]] lacks \"mass\" or \"count\"; give one of them");
+  if (p.spacing < p.diameter) {
+    errors.add(section + ".spacing",
+               fmt::format("\"spacing\" = {} is less than the diameter {}", p.spacing, p.diameter));
+  }
+  if (p.region == RegionShape::box) check_box(section, p.min, p.max, errors);
+  const DomainDeck box = bounds(p);
+  const Vec3 size = box.max - box.min;
+  if (p.diameter > std::min({size.x, size.y, size.z})) {
+    errors.add(section + ".diameter", fmt::format("\"diameter\" = {} is larger than the region", p.diameter));
+  }
+  const Vec3& low = deck.domain.min;
+  const Vec3& high = deck.domain.max;
+  const bool is_inside = box.min.x >= low.x && box.min.y >= low.y && box.min.z >= low.z && box.max.x <= high.x &&
+                         box.max.y <= high.y && box.max.z <= high.z;
+  if (!is_inside) errors.add(section + ".region", "the region reaches beyond the [domain]; enlarge the domain");
+}
+
+void check_measurement(const Deck& deck, DeckErrors& errors) {
+  const AngleOfReposeDeck& a = deck.angle_of_repose;
+  if (!a.enabled) return;
+  const std::string section = "measurement.angle_of_repose";
+  if (a.fit_from >= a.fit_to) {
+    errors.add(section + ".fit_to",
+               fmt::format("\"fit_to\" = {} must be greater than \"fit_from\" = {}", a.fit_to, a.fit_from));
+  }
+  if (a.max_height <= a.plate_height) {
+    errors.add(section + ".max_height",
+               fmt::format("\"max_height\" = {} must be above \"plate_height\" = {}", a.max_height, a.plate_height));
+  }
+}
+
+}  // namespace
+
+void check_deck(const Deck& deck, DeckErrors& errors) {
+  check_box("domain", deck.domain.min, deck.domain.max, errors);
+  const std::vector<std::string> materials = check_names("material", deck.materials, errors);
+  check_names("wall", deck.walls, errors);
+  check_names("phase", deck.phases, errors);
+  const std::size_t errors_before = errors.count();
+  check_materials(deck, materials, errors);
+  if (errors.count() == errors_before) check_pairs(deck, errors);  // a misspelled material would lack its pairs as well
+  check_wall_shapes(deck, errors);
+  for (std::size_t i = 0; i < deck.particles.size(); ++i) {
+    if (deck.particles[i].type == ParticlesType::fill) check_fill(i, deck, errors);
+  }
+  check_phases(deck, errors);
+  check_measurement(deck, errors);
+  if (deck.neighbours.inner_skin > deck.neighbours.skin) {
+    errors.add("neighbours.inner_skin", fmt::format("\"inner_skin\" = {} must be at most \"skin\" = {}",
+                                                    deck.neighbours.inner_skin, deck.neighbours.skin));
+  }
+}
+
+}  // namespace repose

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "deck/check_deck.h"
+#include "deck/nearest.h"
+
+namespace repose {
+namespace {
+
+void check_direction(const std::string& section, const char* key, const Vec3& v, DeckErrors& errors) {
+  if (norm(v) > 0.0) return;
+  errors.add(section + "." + key, fmt::format("\"{}\" has length zero; it needs a direction", key));
+}
+
+void check_profile(const std::string& section, const WallDeck& wall, DeckErrors& errors) {
+  check_direction(section, "axis_direction", wall.axis_direction, errors);
+  const std::string key = section + ".points";
+  if (wall.points.size() < 2) {
+    errors.add(key, fmt::format("\"points\" needs at least 2 points [r, z], not {}", wall.points.size()));
+  }
+  for (std::size_t i = 0; i < wall.points.size(); ++i) {
+    const std::string point = fmt::format("{}.{}", key, i);
+    const auto& [r, z] = wall.points[i];
+    if (r < 0.0) errors.add(point, fmt::format("r = {} is negative; r is the distance from the axis", r));
+    if (i == 0) continue;
+    const auto& [r_before, z_before] = wall.points[i - 1];
+    if (r == r_before && z == z_before) {
+      errors.add(point, "this point repeats the one before; a segment needs a length");
+    } else if (r == 0.0 && r_before == 0.0) {
+      errors.add(point, "this segment lies on the axis and has no surface; remove one of its points");
+    }
+  }
+}
+
+void check_rectangle(const std::string& section, const WallDeck& wall, DeckErrors& errors) {
+  const double u = norm(wall.edge_u);
+  const double v = norm(wall.edge_v);
+  check_direction(section, "edge_u", wall.edge_u, errors);
+  check_direction(section, "edge_v", wall.edge_v, errors);
+  // Edges that were typed in decimal are perpendicular only up to rounding.
+  if (std::fabs(dot(wall.edge_u, wall.edge_v)) > 1e-9 * u * v) {
+    errors.add(section + ".edge_v", "\"edge_v\" is not perpendicular to \"edge_u\"");
+  }
+}
+
+class WallPresence {
+ public:
+  WallPresence(const std::vector<WallDeck>& walls, DeckErrors& errors) : errors_(errors) {
+    for (const WallDeck& wall : walls) {
+      names_.push_back(wall.name);
+      if (wall.present) present_.insert(wall.name);
+    }
+  }
+
+  void remove(const std::string& key, const std::string& name) {
+    if (is_known(key, name) && present_.erase(name) == 0) {
+      errors_.add(key, fmt::format("wall \"{}\" is not there when this phase begins and cannot be removed", name));
+    }
+  }
+  void add(const std::string& key, const std::string& name) {
+    if (is_known(key, name) && !present_.insert(name).second) {
+      errors_.add(key,
+                  fmt::format("wall \"{}\" is already there when this phase begins; set present = false, or remove it "
+                              "in an earlier phase",
+                              name));
+    }
+  }
+
+ private:
+  bool is_known(const std::string& key, const std::string& name) {
+    if (std::find(names_.begin(), names_.end(), name) != names_.end()) return true;
+    const std::string hint =
+        names_.empty() ? "the deck has none" : fmt::format("the nearest is \"{}\"", nearest(name, names_));
+    errors_.add(key, fmt::format("unknown wall \"{}\"; {}", name, hint));
+    return false;
+  }
+
+  std::vector<std::string> names_;
+  std::set<std::string> present_;
+  DeckErrors& errors_;
+};
+
+}  // namespace
+
+void check_wall_shapes(const Deck& deck, DeckErrors& errors) {
+  for (std::size_t i = 0; i < deck.walls.size(); ++i) {
+    const std::string section = fmt::format("wall.{}", i);
+    const WallDeck& wall = deck.walls[i];
+    switch (wall.type) {
+      case WallType::profile:
+        check_profile(section, wall, errors);
+        break;
+      case WallType::plane:
+      case WallType::disc:
+        check_direction(section, "normal", wall.normal, errors);
+        break;
+      case WallType::rectangle:
+        check_rectangle(section, wall, errors);
+        break;
+    }
+  }
+}
+
+void check_phases(const Deck& deck, DeckErrors& errors) {
+  WallPresence walls(deck.walls, errors);
+  for (std::size_t i = 0; i < deck.phases.size(); ++i) {
+    const PhaseDeck& phase = deck.phases[i];
+    const std::string section = fmt::format("phase.{}", i);
+    if (phase.min_time > phase.max_time) {
+      errors.add(section + ".min_time",
+                 fmt::format("\"min_time\" = {} is beyond \"max_time\" = {}", phase.min_time, phase.max_time));
+    }
+    for (std::size_t k = 0; k < phase.remove_walls.size(); ++k) {
+      walls.remove(fmt::format("{}.remove_walls.{}", section, k), phase.remove_walls[k]);
+    }
+    for (std::size_t k = 0; k < phase.add_walls.size(); ++k) {
+      walls.add(fmt::format("{}.add_walls.{}", section, k), phase.add_walls[k]);
+    }
+  }
+}
+
+}  // namespace repose

@@ -1,0 +1,124 @@
+#include "deck/overrides.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "base/error.h"
+#include "deck/nearest.h"
+
+namespace repose {
+namespace {
+
+constexpr std::string_view repeated_sections[] = {"material", "pair", "wall", "particles", "phase"};
+
+[[noreturn]] void fail(const std::string& set_text, const std::string& message) {
+  throw DeckError(fmt::format("--set {}: {}", set_text, message));
+}
+
+std::string trim(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+std::vector<std::string> split_key(const std::string& key) {
+  std::vector<std::string> parts;
+  std::size_t start = 0;
+  while (true) {
+    const std::size_t dot = key.find('.', start);
+    parts.push_back(trim(std::string_view(key).substr(start, dot - start)));
+    if (dot == std::string::npos) return parts;
+    start = dot + 1;
+  }
+}
+
+/// The names by which an element of a repeated section can be chosen.
+std::vector<std::string> names_of(const toml::table& element) {
+  if (const auto name = element["name"].value<std::string>()) return {*name};
+  const auto a = element["materials"][0].value<std::string>();
+  const auto b = element["materials"][1].value<std::string>();
+  if (a && b) return {*a + "-" + *b, *b + "-" + *a};
+  return {};
+}
+
+std::size_t find_element(const toml::array& array, const std::string& section, const std::string& which,
+                         const std::string& set_text) {
+  std::vector<std::string> all_names;
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    if (!array.get(i)->is_table()) continue;
+    for (const std::string& name : names_of(*array.get(i)->as_table())) {
+      if (name == which) return i;
+      all_names.push_back(name);
+    }
+  }
+  std::size_t index = 0;
+  const auto result = std::from_chars(which.data(), which.data() + which.size(), index);
+  const bool is_index = result.ec == std::errc{} && result.ptr == which.data() + which.size();
+  if (is_index && index < array.size()) return index;
+  if (is_index || all_names.empty()) {
+    fail(set_text,
+         fmt::format("there is no [[{0}]] \"{1}\"; the deck has {2}, counted from 0", section, which, array.size()));
+  }
+  fail(set_text,
+       fmt::format("there is no [[{}]] \"{}\"; the nearest is \"{}\"", section, which, nearest(which, all_names)));
+}
+
+void assign(toml::table& table, const std::string& key, const std::string& value) {
+  try {
+    toml::table parsed = toml::parse("value = " + value);
+    if (parsed.size() == 1) {
+      parsed.get("value")->visit([&](auto& node) { table.insert_or_assign(key, std::move(node)); });
+      return;
+    }
+  } catch (const toml::parse_error&) {
+    // not TOML: a text without its quotes, such as 440 um
+  }
+  table.insert_or_assign(key, value);
+}
+
+void apply(toml::table& root, const std::string& set_text, Overridden& overridden) {
+  const std::size_t equals = set_text.find('=');
+  if (equals == std::string::npos) fail(set_text, "write key=value, such as time.step=2e-6");
+  const std::vector<std::string> parts = split_key(set_text.substr(0, equals));
+  if (std::find(parts.begin(), parts.end(), "") != parts.end()) fail(set_text, "the key has an empty part");
+
+  toml::table* table = &root;
+  std::string path;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    path = child(path, parts[i]);
+    const bool is_repeated = i == 0 && std::find(std::begin(repeated_sections), std::end(repeated_sections),
+                                                 parts[0]) != std::end(repeated_sections);
+    if (is_repeated) {
+      toml::array* array = table->get_as<toml::array>(parts[0]);
+      if (array == nullptr) fail(set_text, fmt::format("the deck has no [[{}]]", parts[0]));
+      if (parts.size() < 3) {
+        fail(set_text, fmt::format("say which [[{0}]]: {0}.0.{1}=... or {0}.NAME.{1}=...", parts[0], parts[1]));
+      }
+      const std::size_t index = find_element(*array, parts[0], parts[1], set_text);
+      table = array->get_as<toml::table>(index);
+      path = child(path, index);
+      ++i;
+      if (table == nullptr) fail(set_text, fmt::format("\"{}\" is not a section", path));
+      continue;
+    }
+    if (!table->contains(parts[i])) {
+      table->insert(parts[i], toml::table{});
+      overridden[path] = set_text;
+    }
+    table = table->get_as<toml::table>(parts[i]);
+    if (table == nullptr) fail(set_text, fmt::format("\"{}\" is a value and has no keys", path));
+  }
+  assign(*table, parts.back(), trim(set_text.substr(equals + 1)));
+  overridden[child(path, parts.back())] = set_text;
+}
+
+}  // namespace
+
+Overridden apply_overrides(toml::table& root, const std::vector<std::string>& overrides) {
+  Overridden overridden;
+  for (const std::string& set_text : overrides) apply(root, set_text, overridden);
+  return overridden;
+}
+
+}  // namespace repose

@@ -1,0 +1,70 @@
+#include "deck/read_deck.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "deck/check_deck.h"
+#include "deck/overrides.h"
+#include "deck/reader.h"
+#include "deck/schema.h"
+
+namespace repose {
+namespace {
+
+/// What to do about the syntax errors that people make most.
+std::string remedy(const std::string& description) {
+  const auto says = [&](const char* text) { return description.find(text) != std::string::npos; };
+  if (says("cannot redefine")) return "; give it once";
+  if (says("could not determine value type")) return "; a text needs quotes";
+  if (says("expected a comment or whitespace"))
+    return "; one key per line, and a value with a unit is a text, as \"5 mm\"";
+  return {};
+}
+
+toml::table parse(const std::string& text, const std::string& path) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    const std::string description(error.description());
+    throw DeckError(fmt::format("{}:{}:{}: TOML syntax: {}{}", path, error.source().begin.line,
+                                error.source().begin.column, description, remedy(description)));
+  }
+}
+
+void set_default(double& value, double fallback) {
+  if (std::isnan(value)) value = fallback;
+}
+
+void resolve_defaults(Deck& deck) {
+  for (ParticlesDeck& p : deck.particles) {
+    if (p.type != ParticlesType::fill) continue;
+    set_default(p.spacing, 1.1 * p.diameter);
+    if (p.region == RegionShape::cylinder) set_default(p.radius_top, p.radius);
+  }
+  if (!deck.angle_of_repose.enabled) return;
+  set_default(deck.angle_of_repose.max_height,
+              deck.discharge.enabled ? deck.discharge.orifice_height : deck.domain.max.z);
+  if (deck.angle_of_repose.camera == Camera::perspective) {
+    set_default(deck.angle_of_repose.camera_height, deck.angle_of_repose.plate_height);
+  }
+}
+
+}  // namespace
+
+Deck read_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  toml::table root = parse(text, path);
+  const Overridden overridden = apply_overrides(root, overrides);
+  DeckErrors errors(path);
+  Deck deck;
+  Reader reader(root, overridden, errors);
+  describe(reader, deck);
+  reader.finish();
+  errors.throw_first();
+
+  resolve_defaults(deck);
+  check_deck(deck, errors);
+  errors.throw_first();
+  return deck;
+}
+
+}  // namespace repose

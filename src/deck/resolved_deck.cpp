@@ -1,0 +1,60 @@
+#include "deck/resolved_deck.h"
+
+#include <fmt/format.h>
+
+#include "deck/schema.h"
+#include "deck/value_text.h"
+
+namespace repose {
+namespace {
+
+/// The visitor that writes a deck.
+class Writer {
+ public:
+  template <class T>
+  void operator()(std::string_view key, T& value, Unit, const Range& range, const Presence& presence,
+                  std::string_view) {
+    if (presence.applies && is_given(value, range)) text_ += fmt::format("{} = {}\n", key, toml_text(value));
+  }
+
+  template <class S>
+  void section(std::string_view name, S& value, const Presence&, std::string_view) {
+    if constexpr (requires { value.enabled; }) {
+      if (!value.enabled) return;
+    }
+    text_ += fmt::format("\n[{}{}]\n", group_, name);
+    describe(*this, value);
+  }
+
+  template <class S>
+  void sections(std::string_view name, std::vector<S>& values, const Presence&, std::string_view) {
+    for (S& value : values) {
+      text_ += fmt::format("\n[[{}{}]]\n", group_, name);
+      describe(*this, value);
+    }
+  }
+
+  template <class F>
+  void group(std::string_view name, F&& visit) {
+    group_ = fmt::format("{}.", name);
+    visit(*this);
+    group_.clear();
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::string group_;
+};
+
+}  // namespace
+
+std::string resolved_deck(const Deck& deck) {
+  Deck copy = deck;  // the schema names members of a deck that may be changed
+  Writer writer;
+  describe(writer, copy);
+  return writer.text();
+}
+
+}  // namespace repose

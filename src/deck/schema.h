@@ -1,0 +1,32 @@
+#pragma once
+
+#include "deck/schema_measurement.h"
+#include "deck/schema_run.h"
+#include "deck/schema_scene.h"
+
+/// The schema: every key of a deck with its unit, range, default and meaning, once. The reader, the writer and
+/// `repose keys` are visitors of it. Keys come in the order in which conditions need them: a type before what depends
+/// on it.
+namespace repose {
+
+template <class V>
+void describe(V& v, Deck& d) {
+  v("gravity", d.gravity, Unit::acceleration, any_value, optional, "gravitational acceleration");
+  v.section("run", d.run, optional, "the run as a whole");
+  v.section("domain", d.domain, required, "the box that is simulated; a particle that leaves it is counted and gone");
+  v.sections("material", d.materials, required, "a solid");
+  v.sections("pair", d.pairs, required, "contact of two materials, in either order");
+  v.sections("wall", d.walls, optional, "a rigid surface, felt from both sides");
+  v.sections("particles", d.particles, required, "a block of spheres");
+  v.section("time", d.time, optional, "the time step");
+  v.sections("phase", d.phases, required, "a stage of the run; the phases follow each other");
+  v.group("measurement", [&d](V& g) {
+    g.section("discharge", d.discharge, optional, "measure the mass that leaves an orifice");
+    g.section("angle_of_repose", d.angle_of_repose, optional, "measure the slope of the pile from its side view");
+  });
+  v.section("output", d.output, optional, "what is written and when");
+  v.section("guards", d.guards, optional, "bounds that stop the run when the physics breaks");
+  v.section("neighbours", d.neighbours, optional, "search and balance; they change the speed, never the result");
+}
+
+}  // namespace repose

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "deck/schema_types.h"
+
+/// Schema of the measurements. A measurement is made when the deck has its section.
+namespace repose {
+
+template <class V>
+void describe(V& v, DischargeDeck& d) {
+  v("orifice_height", d.orifice_height, Unit::metre, any_value, required,
+    "z of the orifice; particles with their centre below it are discharged");
+  v("plugged_share", d.plugged_share, Unit::none, from_to(0, 1), optional,
+    "less than this share of the mass discharged: plugged, no angle");
+}
+
+template <class V>
+void describe(V& v, AngleOfReposeDeck& a) {
+  v("plate_height", a.plate_height, Unit::metre, any_value, required, "z of the surface that carries the pile");
+  v("max_height", a.max_height, Unit::metre, any_value, optional_else("orifice_height, or the domain's top"),
+    "z above which particles are no part of the pile");
+  v("axis", a.axis, Unit::metre, any_value, optional, "a point on the pile's vertical axis; its z does not matter");
+  v("fit_from", a.fit_from, Unit::none, from_to_below(0, 1), optional,
+    "lower end of the fit, share of the pile's height");
+  v("fit_to", a.fit_to, Unit::none, above_to(0, 1), optional, "upper end of the fit, above fit_from");
+  v("azimuths", a.azimuths, Unit::none, from_to(1, 3600), optional, "number of view directions over half a turn");
+  v("camera", a.camera, Unit::none, any_value, optional, "projection of the side view");
+  const bool is_perspective = a.camera == Camera::perspective;
+  v("camera_distance", a.camera_distance, Unit::metre, above(0), required.when(is_perspective, "camera = perspective"),
+    "distance of the camera from the axis");
+  v("camera_height", a.camera_height, Unit::metre, any_value,
+    optional_else("plate_height").when(is_perspective, "camera = perspective"), "z of the camera");
+}
+
+}  // namespace repose

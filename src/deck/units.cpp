@@ -1,0 +1,114 @@
+#include "deck/units.h"
+
+#include <charconv>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+
+namespace repose {
+namespace {
+
+struct Symbol {
+  std::string_view text;
+  int power;  ///< times ten to this power gives SI
+};
+
+constexpr Symbol metre[] = {{"m", 0}, {"km", 3}, {"cm", -2}, {"mm", -3}, {"um", -6}, {"nm", -9}};
+constexpr Symbol second[] = {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}};
+constexpr Symbol kilogram[] = {{"kg", 0}, {"t", 3}, {"g", -3}, {"mg", -6}, {"ug", -9}};
+constexpr Symbol pascal[] = {{"Pa", 0}, {"kPa", 3}, {"MPa", 6}, {"GPa", 9}};
+constexpr Symbol density[] = {{"kg/m3", 0}, {"g/cm3", 3}, {"t/m3", 3}, {"g/m3", -3}};
+constexpr Symbol speed[] = {{"m/s", 0}, {"km/s", 3}, {"cm/s", -2}, {"mm/s", -3}, {"um/s", -6}};
+constexpr Symbol acceleration[] = {{"m/s2", 0}, {"cm/s2", -2}, {"mm/s2", -3}};
+constexpr Symbol joule[] = {{"J", 0}, {"kJ", 3}, {"mJ", -3}, {"uJ", -6}, {"nJ", -9}, {"pJ", -12}, {"fJ", -15}};
+
+struct Dimension {
+  std::string_view name;
+  std::span<const Symbol> symbols;  ///< the SI unit first
+};
+
+Dimension dimension(Unit unit) {
+  switch (unit) {
+    case Unit::none:
+      break;
+    case Unit::metre:
+      return {"a length", metre};
+    case Unit::second:
+      return {"a time", second};
+    case Unit::kilogram:
+      return {"a mass", kilogram};
+    case Unit::pascal:
+      return {"a pressure", pascal};
+    case Unit::density:
+      return {"a density", density};
+    case Unit::speed:
+      return {"a speed", speed};
+    case Unit::acceleration:
+      return {"an acceleration", acceleration};
+    case Unit::joule:
+      return {"an energy", joule};
+  }
+  return {"a number", {}};
+}
+
+std::string_view trim(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// "µm" (either code point of the sign) and "um", "m^3" and "m3" are the same unit.
+std::string plain_symbol(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view two = text.substr(i, 2);
+    if (two == "\xC2\xB5" || two == "\xCE\xBC") {
+      plain += 'u';
+      ++i;
+    } else if (text[i] != '^') {
+      plain += text[i];
+    }
+  }
+  return plain;
+}
+
+Quantity problem(std::string_view text, const Dimension& wanted, std::string_view what) {
+  std::string accepted;
+  for (const Symbol& s : wanted.symbols) accepted += fmt::format("{}{}", accepted.empty() ? "" : ", ", s.text);
+  return {0.0, fmt::format("\"{}\" {}; write {} with one of the units {}", text, what, wanted.name, accepted)};
+}
+
+}  // namespace
+
+std::string_view symbol(Unit unit) { return unit == Unit::none ? "-" : dimension(unit).symbols.front().text; }
+
+Quantity parse_quantity(std::string_view text, Unit unit) {
+  const Dimension wanted = dimension(unit);
+  const std::string_view trimmed = trim(text);
+  const std::string_view unsigned_text = trimmed.substr(trimmed.starts_with('+') && !trimmed.starts_with("+-") ? 1 : 0);
+  double value = 0.0;
+  const auto scan = std::from_chars(unsigned_text.data(), unsigned_text.data() + unsigned_text.size(), value);
+  if (scan.ec == std::errc::invalid_argument || !std::isfinite(value)) return problem(text, wanted, "is not a number");
+  const auto length = static_cast<std::size_t>(scan.ptr - unsigned_text.data());
+  const std::string_view number = unsigned_text.substr(0, length);
+  const std::string given = plain_symbol(trim(unsigned_text.substr(length)));
+  if (given.empty()) return problem(text, wanted, "has no unit");
+
+  for (const Symbol& s : wanted.symbols) {
+    if (s.text != given) continue;
+    const auto e = number.find_first_of("eE");
+    int exponent = 0;
+    if (e != std::string_view::npos) {
+      const std::string_view digits = number.substr(e + (number.substr(e + 1).starts_with('+') ? 2 : 1));
+      std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    }
+    const std::string joined = fmt::format("{}e{}", number.substr(0, e), exponent + s.power);
+    const auto result = std::from_chars(joined.data(), joined.data() + joined.size(), value);
+    if (result.ec != std::errc{}) return problem(text, wanted, "is too large or too small for a double");
+    return {value, {}};
+  }
+  return problem(text, wanted, fmt::format("is not {}", wanted.name));
+}
+
+}  // namespace repose

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "comm/communicator.h"
+#include "domain/decomposition.h"
+#include "scene/reach.h"
+#include "scene/particles.h"
+
+namespace repose {
+
+/// The ghosts of a rank: copies of the particles of other ranks that may touch its own before the next list rebuild. The
+/// lists of who sends what to whom are made at a rebuild; each step only positions, velocities and spins travel, by
+/// persistent requests. Ghosts are read only: no force travels back.
+class GhostExchange {
+ public:
+  explicit GhostExchange(const Communicator& comm) : comm_(comm) {}
+  ~GhostExchange() { free_requests(); }
+  GhostExchange(const GhostExchange&) = delete;
+  GhostExchange& operator=(const GhostExchange&) = delete;
+
+  /// Collective. Appends to the owned particles the ghosts that are within the sum of reaches of any of them, and returns
+  /// the outer reach of every particle, owned and ghost, in m.
+  std::vector<double> set_up(const Decomposition& decomposition, const SkinRule& rule, Particles& particles);
+
+  /// Sends the motion of the owned particles that are ghosts elsewhere, and starts to receive.
+  void start(const Particles& particles);
+  /// Waits for the motion of this rank's ghosts and stores it.
+  void finish(Particles& particles);
+
+ private:
+  struct Motion {
+    Vec3 position, velocity, spin;
+  };
+  /// The ghosts exchanged with one other rank.
+  struct Link {
+    int rank;
+    std::size_t begin;  ///< into send_index_ or, when receiving, into the ghosts
+    std::size_t count;
+  };
+  void open_requests();
+  void free_requests();
+
+  const Communicator& comm_;
+  std::vector<Link> sends_;
+  std::vector<Link> receives_;
+  std::vector<std::size_t> send_index_;  ///< owned particles to send, link by link
+  std::vector<Motion> send_buffer_;
+  std::vector<Motion> receive_buffer_;   ///< one per ghost, in the order of the ghosts
+  std::vector<MPI_Request> requests_;
+};
+
+}  // namespace repose

@@ -1,0 +1,103 @@
+#include "integration/time_step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/math.h"
+#include "scene/sphere.h"
+
+namespace repose {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double power_fifth(double x) { return x * x * x * x * x; }
+
+/// Shortest Rayleigh time of all particles.
+double shortest_rayleigh_time(const MaterialTable& materials, const SmallestRadii& radii) {
+  double shortest = infinite;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    if (radii.of_material[m] < infinite) {
+      shortest = std::min(shortest, rayleigh_time(radii.of_material[m], materials[m]));
+    }
+  }
+  return shortest;
+}
+
+/// Shortest Hertz time of all particles with one another and with every material they have a pair with.
+double shortest_hertz_time(const MaterialTable& materials, const SmallestRadii& radii, double speed) {
+  double shortest = infinite;
+  for (std::size_t a = 0; a < materials.size(); ++a) {
+    const double radius = radii.of_material[a];
+    if (!(radius < infinite)) continue;
+    const double mass = sphere_mass(radius, materials[a].density);
+    for (std::size_t b = 0; b < materials.size(); ++b) {
+      const double stiffness = materials.pair(a, b).youngs_modulus_eff;
+      if (stiffness <= 0.0) continue;
+      shortest = std::min(shortest, hertz_time(radius, mass, stiffness, speed));  // at a wall
+      const double other = radii.of_material[b];
+      if (!(other < infinite)) continue;
+      const double other_mass = sphere_mass(other, materials[b].density);
+      shortest = std::min(shortest, hertz_time(radius * other / (radius + other), mass * other_mass / (mass + other_mass),
+                                               stiffness, speed));
+    }
+  }
+  return shortest;
+}
+
+}  // namespace
+
+double rayleigh_time(double radius, const Material& material) {
+  const double shear_modulus = material.youngs_modulus / (2.0 * (1.0 + material.poisson_ratio));
+  return pi * radius * std::sqrt(material.density / shear_modulus) / (0.1631 * material.poisson_ratio + 0.8766);
+}
+
+double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff, double speed) {
+  return 2.87 * fifth_root(mass_eff * mass_eff / (radius_eff * youngs_modulus_eff * youngs_modulus_eff * speed));
+}
+
+double expected_speed(const Deck& deck, double highest_particle) {
+  if (!std::isnan(deck.time.expected_speed)) return deck.time.expected_speed;
+  const double g = norm(deck.gravity);
+  const double height = std::max(0.0, std::min(highest_particle, deck.domain.max.z) - deck.domain.min.z);
+  double initial = 0.0;
+  for (const ParticlesDeck& p : deck.particles) initial = std::max(initial, norm(p.velocity));
+  return std::max(std::sqrt(initial * initial + 2.0 * g * height), 1e-3);
+}
+
+TimeStep choose_time_step(const Deck& deck, const MaterialTable& materials, const SmallestRadii& radii, double speed) {
+  TimeStep result;
+  result.speed = speed;
+  result.rayleigh_limit = deck.time.rayleigh_fraction * shortest_rayleigh_time(materials, radii);
+  result.hertz_limit = deck.time.hertz_fraction * shortest_hertz_time(materials, radii, speed);
+  result.hertz_limit_at_1 = deck.time.hertz_fraction * shortest_hertz_time(materials, radii, 1.0);
+  const bool rayleigh_is_shorter = result.rayleigh_limit < result.hertz_limit;
+  const double limit = std::min(result.rayleigh_limit, result.hertz_limit);
+  if (std::isnan(deck.time.step)) {
+    result.step = limit;
+    result.criterion = rayleigh_is_shorter ? "rayleigh" : "hertz";
+    return result;
+  }
+  result.step = deck.time.step;
+  result.criterion = "given";
+  if (result.step > limit) {
+    throw DeckError(fmt::format(
+        "time.step = {:.4g} s is too long: {:.0f} % of the {} is {:.4g} s{}; shorten it, or leave time.step out",
+        result.step, 100.0 * (rayleigh_is_shorter ? deck.time.rayleigh_fraction : deck.time.hertz_fraction),
+        rayleigh_is_shorter ? "Rayleigh time" : "Hertz time", limit,
+        rayleigh_is_shorter ? "" : fmt::format(" at the expected speed of {:.3g} m/s", speed)));
+  }
+  return result;
+}
+
+double time_step_excess(const TimeStep& step, double speed) {
+  // t_hertz ~ speed^-1/5, so (dt / limit)^5 = (dt / limit at 1 m/s)^5 speed
+  const double hertz = fifth_root(power_fifth(step.step / step.hertz_limit_at_1) * std::max(speed, 1e-12));
+  return std::max(hertz, step.step / step.rayleigh_limit);
+}
+
+}  // namespace repose

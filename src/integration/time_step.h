@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "deck/deck.h"
+#include "scene/materials.h"
+
+namespace repose {
+
+/// Time in s that a Rayleigh wave takes over a sphere (thesis eq. 2.24).
+double rayleigh_time(double radius, const Material& material);
+
+/// Duration in s of a Hertz impact at `speed` m/s (thesis eq. 2.25 with effective quantities).
+double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff, double speed);
+
+/// Speed in m/s that the deck expects at most: given, or free fall over the height of the scene (particles and walls).
+double expected_speed(const Deck& deck, double highest_particle);
+
+/// The time step and what limits it, all in s; hertz_at is the Hertz criterion at 1 m/s (it scales as speed^-1/5).
+struct TimeStep {
+  double step = 0.0;
+  double rayleigh_limit = 0.0;  ///< fraction x Rayleigh time of the worst particle
+  double hertz_limit = 0.0;     ///< fraction x Hertz time of the worst pair at the expected speed
+  double hertz_limit_at_1 = 0.0;
+  double speed = 0.0;           ///< m/s, expected
+  std::string criterion;        ///< "rayleigh", "hertz" or "given"
+};
+
+/// Smallest radius of the particles of each material; infinity where there are none.
+struct SmallestRadii {
+  std::vector<double> of_material;
+};
+
+/// Chooses the time step (thesis section 2.4), or checks the given one: DeckError when it exceeds a limit, naming it.
+TimeStep choose_time_step(const Deck& deck, const MaterialTable& materials, const SmallestRadii& radii, double speed);
+
+/// The step over the tighter of both limits at the true greatest speed (m/s): above 1 the criteria are violated.
+double time_step_excess(const TimeStep& step, double speed);
+
+}  // namespace repose

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include "base/error.h"
+#include "check.h"
+#include "command_line.h"
+#include "comm/communicator.h"
+#include "deck/read_deck.h"
+#include "deck/resolved_deck.h"
+#include "run.h"
+#include "shared_file.h"
+
+namespace {
+
+using namespace repose;
+
+void say(const Communicator& comm, const std::string& text) {
+  if (comm.is_root()) fmt::print("{}", text);
+}
+
+/// Files named in a deck are relative to it.
+ReadFile reader_beside(const Communicator& comm, const std::string& deck_path) {
+  const std::filesystem::path folder = std::filesystem::path(deck_path).parent_path();
+  return [&comm, folder](const std::string& file) { return read_shared_file(comm, (folder / file).string()); };
+}
+
+std::string closing_lines(const Summary& s, const std::string& directory) {
+  const auto number = [](const std::optional<double>& value, double factor) {
+    return value ? fmt::format("{:.4g}", factor * *value) : std::string("-");
+  };
+  std::string text = fmt::format("{} steps to {:.6g} s in {:.1f} s wall time, {:.3g} million particle-steps/s on {} ranks\n",
+                                 s.steps, s.time_s, s.wall_seconds, 1e-6 * s.particle_steps_per_second, s.ranks);
+  if (s.discharged_mass_kg) {
+    text += fmt::format("discharged {} g, retained {} g{}, in {} s at {} g/s\n", number(s.discharged_mass_kg, 1e3),
+                        number(s.retained_mass_kg, 1e3), s.plugged.value_or(false) ? " (plugged)" : "",
+                        number(s.discharge_time_s, 1.0), number(s.discharge_rate_kg_s, 1e3));
+  }
+  if (s.angle_of_repose_deg) {
+    text += fmt::format("angle of repose {} +- {} degrees (left {}, right {})\n", number(s.angle_of_repose_deg, 1.0),
+                        number(s.angle_of_repose_stderr_deg, 1.0), number(s.angle_of_repose_left_deg, 1.0),
+                        number(s.angle_of_repose_right_deg, 1.0));
+  }
+  return text + fmt::format("state {}\nresults in {}\n", s.state_hash, directory);
+}
+
+void run(const Communicator& comm, const CommandLine& command) {
+  const VectorLevel level = vector_level_from(command.vector_level);
+  const Deck deck = read_deck(read_shared_file(comm, command.deck), command.deck, command.overrides);
+  const OutputOptions options = {command.output, resolved_deck(deck), build_info(to_string(level)), command.quiet};
+  const Summary summary = run_deck(comm, deck, reader_beside(comm, command.deck), level, options);
+  say(comm, closing_lines(summary, command.output));
+}
+
+void check(const Communicator& comm, const CommandLine& command) {
+  const Deck deck = read_deck(read_shared_file(comm, command.deck), command.deck, command.overrides);
+  say(comm, check_report(deck, reader_beside(comm, command.deck), comm.size()));
+}
+
+void dispatch(const Communicator& comm, const CommandLine& command) {
+  switch (command.action) {
+    case CommandLine::Action::run:
+      return run(comm, command);
+    case CommandLine::Action::check:
+      return check(comm, command);
+    case CommandLine::Action::keys:
+      return say(comm, key_reference());
+    case CommandLine::Action::version:
+      return say(comm, version_text(to_string(best_vector_level())));
+    case CommandLine::Action::none:
+      return say(comm, command.text);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const repose::MpiGuard mpi(&argc, &argv);
+  const repose::Communicator world(MPI_COMM_WORLD);
+  try {
+    dispatch(world, repose::parse_command_line(argc, argv));
+    return 0;
+  } catch (const repose::Error& error) {  // agreed among the ranks: all of them get here
+    if (world.is_root()) fmt::print(stderr, "repose: {}\n", error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::exception& error) {  // on this rank alone, perhaps: the others may wait for it for ever
+    fmt::print(stderr, "repose: rank {}: {}\n", world.rank(), error.what());
+    MPI_Abort(MPI_COMM_WORLD, 1);
+    return 1;
+  }
+}

@@ -1,0 +1,95 @@
+#include "measurement/energies.h"
+
+#include <vector>
+
+#include "comm/order_independent_sum.h"
+#include "contact/hertz.h"
+#include "scene/sphere.h"
+
+namespace repose {
+namespace {
+
+double mass_of(const Particles& particles, const MaterialTable& materials, std::size_t i) {
+  return sphere_mass(particles.record[i].radius, materials[static_cast<std::size_t>(particles.material[i])].density);
+}
+
+double spring_energy(const PairParameters& pair, double overlap, double radius_eff, const ContactHistory& history) {
+  ContactGeometry contact = {};
+  contact.overlap = overlap;
+  contact.radius_eff = radius_eff;
+  const ContactStiffness k = hertz_stiffness(pair, contact);
+  const double k_r = k.tangential * radius_eff * radius_eff;
+  return 0.4 * k.normal * overlap * overlap + 0.5 * k.tangential * squared_norm(history.spring) +
+         0.5 * squared_norm(history.rolling) / k_r;
+}
+
+/// Calls visit(group, first, second, overlap, lane) for every touching pair that counts here: the rank that owns the
+/// lower id counts it.
+template <class Visit>
+void for_each_touching_pair(const Particles& particles, const PairLists& pairs, Visit&& visit) {
+  for (const PairGroup& group : pairs.groups()) {
+    for (const PairGroup::Pair& pair : group.pairs) {
+      const auto i = static_cast<std::size_t>(pair.first);
+      const auto j = static_cast<std::size_t>(pair.second);
+      if (pair.lane < 0 || i >= particles.owned) continue;
+      const ParticleRecord& a = particles.record[i];
+      const ParticleRecord& b = particles.record[j];
+      const double overlap = a.radius + b.radius - norm(a.position - b.position);
+      if (overlap > 0.0) visit(group, i, j, overlap, static_cast<std::size_t>(pair.lane));
+    }
+  }
+}
+
+}  // namespace
+
+Energies measure_energies(const Communicator& comm, const Vec3& gravity, const MaterialTable& materials,
+                          const Particles& particles, const PairLists& pairs, std::span<const Wall> walls,
+                          const WallContacts& wall_contacts) {
+  std::vector<double> translational, rotational, gravitational, elastic;
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    const ParticleRecord& p = particles.record[i];
+    if (is_parked(p)) continue;
+    const double mass = mass_of(particles, materials, i);
+    translational.push_back(0.5 * mass * squared_norm(p.velocity));
+    rotational.push_back(0.5 * sphere_inertia(mass, p.radius) * squared_norm(p.spin));
+    gravitational.push_back(-mass * dot(gravity, p.position));
+  }
+  for_each_touching_pair(particles, pairs, [&](const PairGroup& g, std::size_t i, std::size_t j, double overlap,
+                                               std::size_t lane) {
+    const double ri = particles.record[i].radius;
+    const double rj = particles.record[j].radius;
+    const PairParameters& pair =
+        materials.pair(static_cast<std::size_t>(g.material_first), static_cast<std::size_t>(g.material_second));
+    elastic.push_back(spring_energy(pair, overlap, ri * rj / (ri + rj), lane_history(g, lane)));
+  });
+  for (const WallContact& c : wall_contacts.contacts()) {
+    const auto i = static_cast<std::size_t>(c.particle);
+    const auto wall_material = static_cast<std::size_t>(walls[static_cast<std::size_t>(c.wall)].material);
+    if (is_parked(particles.record[i]) || c.overlap <= 0.0) continue;
+    elastic.push_back(spring_energy(materials.pair(static_cast<std::size_t>(particles.material[i]), wall_material),
+                                    c.overlap, particles.record[i].radius, c.history));
+  }
+  return {order_independent_sum(comm, translational), order_independent_sum(comm, rotational),
+          order_independent_sum(comm, gravitational), order_independent_sum(comm, elastic)};
+}
+
+double mean_kinetic_energy(const Communicator& comm, const MaterialTable& materials, const Particles& particles) {
+  std::vector<double> energy;
+  energy.reserve(particles.owned);
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    const ParticleRecord& p = particles.record[i];
+    if (!is_parked(p)) energy.push_back(0.5 * mass_of(particles, materials, i) * squared_norm(p.velocity));
+  }
+  const double total = order_independent_sum(comm, energy);
+  const std::int64_t count = comm.sum(static_cast<std::int64_t>(energy.size()));
+  return count > 0 ? total / static_cast<double>(count) : 0.0;
+}
+
+ContactCount count_contacts(const Communicator& comm, const Particles& particles, const PairLists& pairs,
+                            const WallContacts& wall_contacts) {
+  std::int64_t here = 0;
+  for_each_touching_pair(particles, pairs, [&](const PairGroup&, std::size_t, std::size_t, double, std::size_t) { ++here; });
+  return {comm.sum(here), comm.sum(static_cast<std::int64_t>(wall_contacts.contacts().size()))};
+}
+
+}  // namespace repose

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "neighbours/contact_block.h"
+#include "scene/contact_memory.h"
+#include "scene/reach.h"
+#include "scene/particles.h"
+
+namespace repose {
+
+/// The neighbour pairs of one combination of materials, which share their contact parameters. Interior groups hold pairs
+/// of two owned particles; the others hold pairs with one ghost and have to wait for the ghost exchange.
+struct PairGroup {
+  struct Pair {
+    std::int32_t first;   ///< local index of the particle with the lower id
+    std::int32_t second;
+    std::int32_t lane;    ///< where its history is in `blocks`, or -1
+  };
+  std::int32_t material_first;
+  std::int32_t material_second;
+  bool interior;
+  std::vector<Pair> pairs;           ///< outer list: everything within the outer reaches
+  std::vector<ContactBlock> blocks;  ///< inner list: what the pair loop evaluates
+  std::size_t lanes = 0;             ///< used lanes of `blocks`
+};
+
+/// The outer and inner neighbour lists of one rank, with the histories of its pair contacts.
+class PairLists {
+ public:
+  /// Lists all pairs with at least one owned particle that are closer than the sum of their reaches (one entry per
+  /// particle, m), and gives them the histories that the owned particles remember. The inner lists are empty afterwards.
+  void build(const Particles& particles, std::span<const double> reach, const Csr<PairMemory>& memory);
+
+  /// Refills the inner lists with the listed pairs that are within the reaches of `rule`; histories stay.
+  void select_near(const Particles& particles, const SkinRule& rule);
+
+  std::span<PairGroup> groups() { return groups_; }
+  std::span<const PairGroup> groups() const { return groups_; }
+
+  /// Every history of a touching pair, with the owned particles it belongs to.
+  Csr<PairMemory> memory(const Particles& particles) const;
+
+  /// Pairs in the inner lists of each owned particle, each pair counted once on every rank: a measure of its cost.
+  std::vector<std::int64_t> pairs_of_owned(const Particles& particles) const;
+
+  std::size_t listed() const;  ///< pairs in the outer lists
+  std::size_t lanes() const;   ///< pairs in the inner lists
+
+ private:
+  PairGroup& group_for(const Particles& particles, std::size_t first, std::size_t second, bool interior);
+
+  std::vector<PairGroup> groups_;
+};
+
+/// Puts two dummy particles behind the last ghost, far from everything and from one another, and makes room for as many
+/// force sums.
+void add_lane_dummies(Particles& particles);
+
+/// History of lane `lane` in a group's blocks.
+inline ContactHistory lane_history(const PairGroup& group, std::size_t lane) {
+  const ContactBlock& b = group.blocks[lane / block_lanes];
+  const std::size_t k = lane % block_lanes;
+  return {{b.spring[0][k], b.spring[1][k], b.spring[2][k]}, {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]}};
+}
+
+/// Whether anything is remembered: touching pairs alone have a history.
+inline bool is_blank(const ContactHistory& h) { return h.spring == Vec3{} && h.rolling == Vec3{}; }
+
+}  // namespace repose

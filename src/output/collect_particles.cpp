@@ -1,0 +1,51 @@
+#include "output/collect_particles.h"
+
+#include <algorithm>
+
+#include "comm/buffer.h"
+#include "scene/sphere.h"
+
+namespace repose {
+namespace {
+
+struct Row {
+  std::int64_t id;
+  ParticleRecord record;
+  std::int32_t material;
+};
+
+}  // namespace
+
+ParticleTable collect_particles(const Communicator& comm, const MaterialTable& materials, const Particles& particles,
+                                std::int64_t inserted) {
+  std::vector<std::vector<char>> send(static_cast<std::size_t>(comm.size()));
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    if (is_parked(particles.record[i])) continue;
+    const std::int64_t rank = particles.id[i] * comm.size() / std::max<std::int64_t>(inserted, 1);
+    PackBuffer(send[static_cast<std::size_t>(rank)])
+        .put(Row{particles.id[i], particles.record[i], particles.material[i]});
+  }
+  std::vector<Row> rows;
+  for (const std::vector<char>& bytes : comm.exchange(send)) {
+    for (UnpackBuffer buffer(bytes); !buffer.at_end();) rows.push_back(buffer.get<Row>());
+  }
+  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.id < b.id; });
+
+  ParticleTable table;
+  const auto count = static_cast<std::int64_t>(rows.size());
+  table.offset = comm.exclusive_sum(count);
+  table.total = comm.sum(count);
+  const auto append = [](std::vector<double>& to, const Vec3& v) { to.insert(to.end(), {v.x, v.y, v.z}); };
+  for (const Row& row : rows) {
+    table.id.push_back(row.id);
+    append(table.position, row.record.position);
+    append(table.velocity, row.record.velocity);
+    append(table.angular_velocity, row.record.spin);
+    table.radius.push_back(row.record.radius);
+    table.mass.push_back(sphere_mass(row.record.radius, materials[static_cast<std::size_t>(row.material)].density));
+    table.material.push_back(row.material);
+  }
+  return table;
+}
+
+}  // namespace repose

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "comm/communicator.h"
+#include "output/particle_table.h"
+#include "scene/materials.h"
+#include "scene/particles.h"
+
+namespace repose {
+
+/// Collective. The particles in the domain as a table in the order of ids, block-distributed over the ranks by id out
+/// of `inserted`; masses from the materials' densities.
+ParticleTable collect_particles(const Communicator& comm, const MaterialTable& materials, const Particles& particles,
+                                std::int64_t inserted);
+
+}  // namespace repose

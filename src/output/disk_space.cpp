@@ -1,0 +1,36 @@
+#include "output/disk_space.h"
+
+#include <cerrno>
+
+#include <fcntl.h>
+#include <sys/statvfs.h>
+
+#include "output/file_descriptor.h"
+
+namespace repose {
+
+namespace {
+
+void check_free_space(const FileDescriptor& file, std::int64_t bytes, const std::string& path) {
+  struct statvfs status {};
+  if (::fstatvfs(file.get(), &status) != 0) throw_system_error("reserve space", path);
+  // Some network file systems report no sizes at all.
+  if (status.f_blocks == 0 || status.f_bavail >= static_cast<std::uint64_t>(bytes) / status.f_frsize + 1) return;
+  errno = ENOSPC;
+  throw_system_error("reserve space", path);
+}
+
+}  // namespace
+
+void reserve_space(const std::string& opened, std::int64_t bytes, const std::string& path) {
+  FileDescriptor file(opened, O_WRONLY | O_CREAT, path);
+  int code = 0;
+  do {
+    code = ::fallocate(file.get(), 0, 0, bytes);  // not posix_fallocate, which would write zeros where this is unknown
+  } while (code != 0 && errno == EINTR);
+  if (code != 0 && errno != EOPNOTSUPP && errno != ENOSYS) throw_system_error("reserve space", path);
+  if (code != 0) check_free_space(file, bytes, path);
+  file.close();
+}
+
+}  // namespace repose

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace repose {
+
+/// The list of snapshots with their times that ParaView opens as one animation (ParaView's file-series-version 1.0,
+/// run.hdf.series). For rank 0.
+class SnapshotSeries {
+ public:
+  /// `path` lies in the folder of the snapshots; nothing is written yet.
+  explicit SnapshotSeries(std::string path);
+
+  /// Adds the snapshot with this file name (no folder) and rewrites the list, whole or not at all. A snapshot that is
+  /// listed already gets the new time. Throws FileError.
+  void add(const std::string& name, double time_s);
+
+ private:
+  std::string path_;
+  std::vector<std::pair<std::string, double>> files_;
+};
+
+}  // namespace repose

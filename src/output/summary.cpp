@@ -1,0 +1,70 @@
+#include "output/summary.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "output/atomic_file.h"
+
+namespace repose {
+
+namespace {
+
+using Json = nlohmann::ordered_json;  // the order of the file is the order of reading
+
+Json number(std::optional<double> value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
+
+Json particles_json(const Summary& summary) {
+  Json exits = Json::object();
+  for (const ExitSummary& exit : summary.exits) exits[exit.face] = exit.particles;
+  return {{"inserted", summary.inserted}, {"inside", summary.inside}, {"left", summary.left}, {"exits", exits}};
+}
+
+Json phases_json(const std::vector<PhaseSummary>& phases) {
+  Json list = Json::array();
+  for (const PhaseSummary& phase : phases) {
+    list.push_back({{"name", phase.name}, {"steps", phase.steps}, {"ended_by", phase.ended_by}});
+  }
+  return list;
+}
+
+Json build_json(const BuildInfo& build) {
+  Json fields = Json::object();
+  for (const auto& [name, text] : build_fields(build)) fields[name] = text;
+  return fields;
+}
+
+}  // namespace
+
+std::string summary_json(const Summary& summary) {
+  const Json json = {
+      {"status", summary.status},
+      {"title", summary.title},
+      {"ranks", summary.ranks},
+      {"steps", summary.steps},
+      {"time_s", number(summary.time_s)},
+      {"timestep_s", number(summary.timestep_s)},
+      {"timestep_set_by", summary.timestep_set_by},
+      {"particles", particles_json(summary)},
+      {"state_hash", summary.state_hash},
+      {"discharged_mass_kg", number(summary.discharged_mass_kg)},
+      {"retained_mass_kg", number(summary.retained_mass_kg)},
+      {"discharge_time_s", number(summary.discharge_time_s)},
+      {"discharge_rate_kg_s", number(summary.discharge_rate_kg_s)},
+      {"plugged", summary.plugged ? Json(*summary.plugged) : Json(nullptr)},
+      {"phases", phases_json(summary.phases)},
+      {"angle_of_repose_deg", number(summary.angle_of_repose_deg)},
+      {"angle_of_repose_left_deg", number(summary.angle_of_repose_left_deg)},
+      {"angle_of_repose_right_deg", number(summary.angle_of_repose_right_deg)},
+      {"angle_of_repose_stderr_deg", number(summary.angle_of_repose_stderr_deg)},
+      {"wall_seconds", number(summary.wall_seconds)},
+      {"particle_steps_per_second", number(summary.particle_steps_per_second)},
+      {"build", build_json(summary.build)},
+  };
+  // Texts come from decks and file systems: bytes that are no UTF-8 must not cost the results.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_summary(const std::string& path, const Summary& summary) { write_text_file(path, summary_json(summary)); }
+
+}  // namespace repose

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/build_info.h"
+
+namespace repose {
+
+/// One phase as it went.
+struct PhaseSummary {
+  std::string name;
+  std::int64_t steps = 0;
+  std::string ended_by;  ///< the condition that held, or max_time
+};
+
+/// Particles that left through one face of the domain.
+struct ExitSummary {
+  std::string face;
+  std::int64_t particles = 0;
+};
+
+/// Every measured figure of a run. A figure that was not measured or does not exist (the angle of no pile) is empty.
+struct Summary {
+  std::string status;
+  std::string title;
+  int ranks = 1;
+  std::int64_t steps = 0;
+  double time_s = 0.0;
+  double timestep_s = 0.0;
+  std::string timestep_set_by;  ///< the criterion
+  std::int64_t inserted = 0;
+  std::int64_t inside = 0;
+  std::int64_t left = 0;
+  std::vector<ExitSummary> exits;
+  std::string state_hash;
+  std::optional<double> discharged_mass_kg;
+  std::optional<double> retained_mass_kg;
+  std::optional<double> discharge_time_s;
+  std::optional<double> discharge_rate_kg_s;
+  std::optional<bool> plugged;
+  std::vector<PhaseSummary> phases;
+  std::optional<double> angle_of_repose_deg;
+  std::optional<double> angle_of_repose_left_deg;
+  std::optional<double> angle_of_repose_right_deg;
+  std::optional<double> angle_of_repose_stderr_deg;
+  double wall_seconds = 0.0;
+  double particle_steps_per_second = 0.0;
+  BuildInfo build;
+};
+
+/// The summary as JSON; empty and non-finite numbers become null.
+std::string summary_json(const Summary& summary);
+
+/// Writes the summary to `path`, whole or not at all. Throws FileError. For rank 0.
+void write_summary(const std::string& path, const Summary& summary);
+
+}  // namespace repose

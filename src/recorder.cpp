@@ -1,0 +1,274 @@
+#include "recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numeric>
+
+#include "base/error.h"
+#include "measurement/discharged_mass.h"
+#include "measurement/energies.h"
+#include "measurement/state_hash.h"
+#include "output/agreement.h"
+#include "output/atomic_file.h"
+#include "output/collect_particles.h"
+#include "output/directory.h"
+#include "output/progress.h"
+#include "output/snapshot.h"
+#include "pile_measurement.h"
+
+namespace repose {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+const std::vector<std::string> series_columns = {"step",
+                                                 "time_s",
+                                                 "phase",
+                                                 "particles",
+                                                 "pair_contacts",
+                                                 "wall_contacts",
+                                                 "translational_energy_J",
+                                                 "rotational_energy_J",
+                                                 "gravitational_energy_J",
+                                                 "elastic_energy_J",
+                                                 "discharged_mass_kg"};
+
+std::int64_t every(double interval, double timestep) {
+  return interval > 0.0 ? std::max<std::int64_t>(1, steps_for(interval, timestep)) : 0;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Simulation& simulation, const OutputOptions& options)
+    : options_(options),
+      series_every_(every(simulation.deck().output.series_interval, simulation.time_step().step)),
+      snapshot_every_(every(simulation.deck().output.snapshot_interval, simulation.time_step().step)),
+      snapshots_(options.directory + "/run.hdf.series"),
+      start_(Clock::now()),
+      last_progress_(start_) {
+  const Deck& deck = simulation.deck();
+  const double dt = simulation.time_step().step;
+  total_steps_ = std::accumulate(
+      deck.phases.begin(), deck.phases.end(), std::int64_t{0},
+      [&](std::int64_t sum, const PhaseDeck& p) { return sum + longest_steps(p, dt); });
+  for (const double t : deck.output.snapshot_times) snapshot_steps_.push_back(steps_for(t, dt));
+  agree_after_root(simulation.comm(), [&] {
+    std::remove(path("summary.json").c_str());  // one from an earlier run would pass for this one's
+    write_text_file(path("deck.resolved.toml"), options_.resolved_deck);
+    series_ = std::make_unique<TimeSeries>(path("series.csv"), series_columns);
+    if (deck.output.trace) trace_ = std::make_unique<Trace>(path("trace.csv"));
+  });
+  inside_ = inside(simulation);
+  if (deck.output.trace) write_trace(simulation);
+}
+
+std::int64_t Recorder::inside(const Simulation& simulation) const {
+  const auto& left = simulation.left_here().particles;
+  return simulation.inserted() - simulation.comm().sum(std::accumulate(left.begin(), left.end(), std::int64_t{0}));
+}
+
+void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
+  if (!opened_ && !phase.deck().remove_walls.empty()) {
+    opened_ = true;
+    opening_time_ = simulation.time();
+    sample_discharge(simulation);
+  }
+  if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
+}
+
+void Recorder::step_done(const Simulation& simulation, const Phase& phase) {
+  const Deck& deck = simulation.deck();
+  const std::int64_t step = simulation.steps();
+  const bool trace = deck.output.trace && step % deck.output.trace_every == 0;
+  const bool check = step % deck.run.check_every == 0;
+  const bool series = series_every_ > 0 && step % series_every_ == 0;
+  const bool snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) ||
+                        std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end();
+  particle_steps_ += static_cast<double>(inside_);
+  if (trace || check || series || snapshot) simulation.check_guards();  // no bad state gets into a file
+  if (trace) write_trace(simulation);
+  if (check) {
+    inside_ = inside(simulation);
+    if (opened_) sample_discharge(simulation);
+    report_progress(simulation, phase);
+  }
+  if (series) write_series_row(simulation, phase.deck().name);
+  if (snapshot) write_snapshot_now(simulation);
+}
+
+void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, const std::string& ended_by) {
+  settled_steps_ += longest_steps(phase.deck(), simulation.time_step().step);
+  phases_.push_back({phase.deck().name, phase.steps_done(simulation), ended_by});
+  if (opened_) sample_discharge(simulation);
+  if (simulation.comm().is_root() && !options_.quiet) {
+    fmt::print("phase {} ended by {} at {:.6g} s after {} steps\n", phase.deck().name, ended_by, simulation.time(),
+               phase.steps_done(simulation));
+    std::fflush(stdout);
+  }
+}
+
+void Recorder::sample_discharge(const Simulation& simulation) {
+  if (!simulation.deck().discharge.enabled) return;
+  const double mass = discharged_mass(simulation.comm(), simulation.deck().discharge.orifice_height,
+                                      simulation.materials(), simulation.mass_unit(), simulation.particles(),
+                                      simulation.left_here());
+  const auto& samples = discharge_.samples();
+  if (samples.empty() || simulation.time() > samples.back().time) discharge_.add(simulation.time(), mass);
+}
+
+void Recorder::write_series_row(const Simulation& simulation, const std::string& phase) {
+  if (simulation.steps() == last_series_) return;
+  last_series_ = simulation.steps();
+  const Communicator& comm = simulation.comm();
+  const Energies e = measure_energies(comm, simulation.deck().gravity, simulation.materials(), simulation.particles(),
+                                      simulation.pairs(), simulation.walls(), simulation.wall_contacts());
+  const ContactCount contacts =
+      count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
+  const std::int64_t particles = inside(simulation);
+  const double discharged =
+      simulation.deck().discharge.enabled
+          ? discharged_mass(comm, simulation.deck().discharge.orifice_height, simulation.materials(),
+                            simulation.mass_unit(), simulation.particles(), simulation.left_here())
+          : 0.0;
+  const auto& phases = simulation.deck().phases;
+  const auto at = std::find_if(phases.begin(), phases.end(), [&](const PhaseDeck& p) { return p.name == phase; });
+  const std::array<TimeSeries::Value, 11> row = {simulation.steps(),
+                                                 simulation.time(),
+                                                 static_cast<std::int64_t>(at - phases.begin()),
+                                                 particles,
+                                                 contacts.pairs,
+                                                 contacts.walls,
+                                                 e.translational,
+                                                 e.rotational,
+                                                 e.gravitational,
+                                                 e.elastic,
+                                                 discharged};
+  agree_after_root(comm, [&] { series_->append(row); });
+}
+
+void Recorder::write_trace(const Simulation& simulation) {
+  const ParticleTable table =
+      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.inserted());
+  const std::vector<TraceRow> rows = gather_trace_rows(simulation.comm(), table);
+  agree_after_root(simulation.comm(), [&] { trace_->append(simulation.steps(), rows); });
+}
+
+void Recorder::write_snapshot_now(const Simulation& simulation) {
+  if (simulation.steps() == last_snapshot_) return;
+  last_snapshot_ = simulation.steps();
+  const Communicator& comm = simulation.comm();
+  SnapshotHeader header;
+  header.step = simulation.steps();
+  header.time_s = simulation.time();
+  header.deck = options_.resolved_deck;
+  header.build = options_.build;
+  header.state_hash = state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
+  header.inserted = simulation.inserted();
+  header.inside = inside(simulation);
+  header.left = header.inserted - header.inside;
+  for (const MaterialDeck& m : simulation.deck().materials) header.materials.push_back(m.name);
+  const std::string name = fmt::format("run_{:010d}.hdf", simulation.steps());
+  write_snapshot(comm, path(name),
+                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.inserted()), header);
+  agree_after_root(comm, [&] { snapshots_.add(name, simulation.time()); });
+}
+
+/// One line every few wall seconds; rank 0's clock decides for all, since the line needs sums over the ranks.
+void Recorder::report_progress(const Simulation& simulation, const Phase& phase) {
+  const Communicator& comm = simulation.comm();
+  const double elapsed = seconds_since(last_progress_);
+  int due = elapsed >= simulation.deck().output.progress_seconds ? 1 : 0;
+  comm.broadcast(due);
+  if (due == 0 || options_.quiet) return;
+  ProgressState state;
+  state.step = simulation.steps();
+  state.time_s = simulation.time();
+  const std::int64_t done = settled_steps_ + phase.steps_done(simulation);
+  state.share_done = static_cast<double>(done) / static_cast<double>(total_steps_);
+  state.phase = phase.deck().name;
+  state.particles = inside_;
+  const ContactCount contacts =
+      count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
+  state.contacts = contacts.pairs + contacts.walls;
+  state.kinetic_energy_j = mean_kinetic_energy(comm, simulation.materials(), simulation.particles());
+  const double rate = static_cast<double>(simulation.steps() - last_progress_step_) / elapsed;
+  state.particle_steps_per_second = rate * static_cast<double>(inside_);
+  state.imbalance = simulation.counters().imbalance;
+  state.seconds_left = static_cast<double>(total_steps_ - done) / rate;
+  if (comm.is_root()) {
+    fmt::print("{}\n", progress_line(state));
+    std::fflush(stdout);
+  }
+  last_progress_ = Clock::now();
+  last_progress_step_ = simulation.steps();
+}
+
+void Recorder::measure_pile(const Simulation& simulation, Summary& summary) {
+  const ParticleTable table =
+      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.inserted());
+  const std::vector<Sphere> grains = gather_spheres(simulation.comm(), table);
+  agree_after_root(simulation.comm(), [&] {
+    const auto angle = measure_angle_of_repose(simulation.deck().angle_of_repose, grains, path("silhouette.png"));
+    if (!angle) return;
+    summary.angle_of_repose_deg = angle->mean_deg;
+    summary.angle_of_repose_left_deg = angle->left_deg;
+    summary.angle_of_repose_right_deg = angle->right_deg;
+    summary.angle_of_repose_stderr_deg = angle->stderr_deg;
+  });
+}
+
+Summary Recorder::finish(const Simulation& simulation) {
+  write_snapshot_now(simulation);
+  if (!phases_.empty()) write_series_row(simulation, phases_.back().name);
+
+  const Communicator& comm = simulation.comm();
+  Summary s;
+  s.status = "done";
+  s.title = simulation.deck().run.title;
+  s.ranks = comm.size();
+  s.steps = simulation.steps();
+  s.time_s = simulation.time();
+  s.timestep_s = simulation.time_step().step;
+  s.timestep_set_by = simulation.time_step().criterion;
+  s.inserted = simulation.inserted();
+  s.inside = comm.sum(static_cast<std::int64_t>(
+      std::count_if(simulation.particles().record.begin(),
+                    simulation.particles().record.begin() + static_cast<std::ptrdiff_t>(simulation.particles().owned),
+                    [](const ParticleRecord& p) { return !is_parked(p); })));
+  std::array<std::int64_t, 6> left = simulation.left_here().particles;
+  comm.sum_elements(std::span(left.begin(), left.end()));
+  for (std::size_t e = 0; e < left.size(); ++e) {
+    s.exits.push_back({exit_names[e], left[e]});
+    s.left += left[e];
+  }
+  if (s.inserted != s.inside + s.left) {
+    throw PhysicsError(fmt::format("{} particles inserted, but {} inside and {} left at the end: particles were lost",
+                                   s.inserted, s.inside, s.left));
+  }
+  s.state_hash = state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
+  s.phases = phases_;
+  if (simulation.deck().discharge.enabled && opened_) {
+    const double total = simulation.mass_unit().kilograms(
+        total_mass_units(comm, simulation.materials(), simulation.mass_unit(), simulation.particles(),
+                         simulation.left_here()));
+    const Discharge d = discharge_.result(total, simulation.deck().discharge.plugged_share);
+    s.discharged_mass_kg = d.mass;
+    s.retained_mass_kg = d.retained_mass;
+    s.discharge_time_s = d.time;
+    s.discharge_rate_kg_s = d.rate;
+    s.plugged = d.plugged;
+  }
+  if (simulation.deck().angle_of_repose.enabled && !s.plugged.value_or(false)) measure_pile(simulation, s);
+  s.wall_seconds = seconds_since(start_);
+  s.particle_steps_per_second = particle_steps_ / s.wall_seconds;
+  s.build = options_.build;
+  agree_after_root(comm, [&] { write_summary(path("summary.json"), s); });
+  return s;
+}
+
+}  // namespace repose

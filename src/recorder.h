@@ -1,0 +1,73 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "measurement/discharge.h"
+#include "output/build_info.h"
+#include "output/snapshot_series.h"
+#include "output/summary.h"
+#include "output/time_series.h"
+#include "output/trace.h"
+#include "phases.h"
+#include "simulation.h"
+
+namespace repose {
+
+/// Where and how a run's results go.
+struct OutputOptions {
+  std::string directory;
+  std::string resolved_deck;
+  BuildInfo build;
+  bool quiet = false;  ///< no progress lines
+};
+
+/// Watches a running simulation: samples the discharge, writes the time series, the trace, the snapshots and the progress
+/// lines when they are due, and measures everything at the end. All members but the constructor's plain copies are
+/// collective; only rank 0 writes text.
+class Recorder {
+ public:
+  Recorder(const Simulation& simulation, const OutputOptions& options);
+
+  void phase_begins(const Simulation& simulation, const Phase& phase);
+  void step_done(const Simulation& simulation, const Phase& phase);
+  void phase_ended(const Simulation& simulation, const Phase& phase, const std::string& ended_by);
+
+  /// Last snapshot, angle of repose and silhouette picture, summary.json. The summary is complete on rank 0.
+  Summary finish(const Simulation& simulation);
+
+ private:
+  void sample_discharge(const Simulation& simulation);
+  void write_series_row(const Simulation& simulation, const std::string& phase);
+  void write_trace(const Simulation& simulation);
+  void write_snapshot_now(const Simulation& simulation);
+  void report_progress(const Simulation& simulation, const Phase& phase);
+  void measure_pile(const Simulation& simulation, Summary& summary);
+  std::int64_t inside(const Simulation& simulation) const;
+  std::string path(const std::string& file) const { return options_.directory + "/" + file; }
+
+  OutputOptions options_;
+  std::int64_t total_steps_;         ///< the longest the run can take
+  std::int64_t settled_steps_ = 0;   ///< of it, what the phases that are over could have taken
+  std::int64_t series_every_;
+  std::int64_t snapshot_every_;      ///< 0: never
+  std::vector<std::int64_t> snapshot_steps_;
+  std::int64_t last_snapshot_ = -1;  ///< step
+  std::int64_t last_series_ = -1;    ///< step
+  bool opened_ = false;              ///< a phase has removed a wall
+  DischargeRecord discharge_;
+  std::optional<double> opening_time_;
+  std::unique_ptr<TimeSeries> series_;  ///< rank 0
+  std::unique_ptr<Trace> trace_;        ///< rank 0
+  SnapshotSeries snapshots_;
+  std::vector<PhaseSummary> phases_;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point last_progress_;
+  std::int64_t last_progress_step_ = 0;
+  double particle_steps_ = 0.0;
+  std::int64_t inside_ = 0;             ///< at the last check
+};
+
+}  // namespace repose

@@ -1,0 +1,35 @@
+#include "run.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "output/agreement.h"
+#include "output/directory.h"
+
+namespace repose {
+
+Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level,
+                 const OutputOptions& options) {
+  agree_after_root(comm, [&] { create_output_directory(options.directory); });
+  Simulation simulation(comm, deck, read_file, level);
+  Recorder recorder(simulation, options);
+  for (const PhaseDeck& phase_deck : deck.phases) {
+    const Phase phase(phase_deck, simulation);
+    recorder.phase_begins(simulation, phase);
+    std::optional<std::string> ended_by = phase.ended_by(simulation, deck.run.check_every);
+    while (!ended_by) {
+      simulation.step();
+      if (const auto warning = simulation.take_warning(); warning && comm.is_root()) {
+        fmt::print(stderr, "repose: warning: {}\n", *warning);
+      }
+      recorder.step_done(simulation, phase);
+      ended_by = phase.ended_by(simulation, deck.run.check_every);
+    }
+    simulation.check_guards();
+    recorder.phase_ended(simulation, phase, *ended_by);
+  }
+  return recorder.finish(simulation);
+}
+
+}  // namespace repose

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/csr.h"
+#include "base/vec3.h"
+
+namespace repose {
+
+/// What a contact remembers between steps. It is forgotten as soon as the surfaces part.
+struct ContactHistory {
+  Vec3 spring;   ///< m, tangential displacement xi
+  Vec3 rolling;  ///< N m, rolling moment M
+};
+
+/// What a particle carries of one contact with another when lists are rebuilt or when it changes its rank. The history is
+/// oriented from the higher to the lower id, as in the pair loop, whoever carries it.
+struct PairMemory {
+  std::int64_t partner;
+  ContactHistory history;
+};
+
+/// The same of a contact with a feature of a wall.
+struct WallMemory {
+  std::int32_t wall;
+  std::int32_t feature;
+  ContactHistory history;
+};
+
+/// The contact memories of all owned particles, by local index.
+struct ContactMemory {
+  Csr<PairMemory> pairs;
+  Csr<WallMemory> walls;
+};
+
+}  // namespace repose

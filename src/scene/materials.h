@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deck/deck.h"
+
+namespace repose {
+
+struct Material {
+  std::string name;
+  double youngs_modulus;  ///< Pa
+  double poisson_ratio;
+  double density;  ///< kg/m3
+};
+
+/// What the contact laws need to know of two materials that meet.
+struct PairParameters {
+  double youngs_modulus_eff = 0.0;        ///< E_eff, Pa (thesis eq. 2.11)
+  double shear_modulus_eff = 0.0;         ///< G_eff, Pa (thesis eq. 2.12)
+  double damping_ratio = 0.0;             ///< beta, in [-1, 0] (thesis eq. 2.10)
+  double tangential_damping_ratio = 0.0;  ///< c_t / c_n = sqrt(S_t / S_n) (thesis eqs. 2.8, 2.9)
+  double sliding_friction = 0.0;          ///< mu
+  double rolling_friction = 0.0;          ///< mu_r
+  double density_first = 0.0;             ///< kg/m3, of the particle with the lower id
+  double density_second = 0.0;            ///< kg/m3, unused at walls
+};
+
+/// beta = ln e / sqrt(ln^2 e + pi^2) (thesis eq. 2.10); e = 0 gives -1, e = 1 gives 0. The Hertz damping built on it
+/// returns the restitution coefficient e it is fed (Tsuji, Tanaka, Ishida 1992, doi:10.1016/0032-5910(92)88030-L).
+double damping_ratio(double restitution);
+
+/// The materials of a deck and the symmetric table of their pairs, by index.
+class MaterialTable {
+ public:
+  /// `deck` has been checked: every pair that can meet is there.
+  explicit MaterialTable(const Deck& deck);
+
+  std::size_t size() const { return materials_.size(); }
+  const Material& operator[](std::size_t index) const { return materials_[index]; }
+  int index_of(const std::string& name) const;
+  const PairParameters& pair(std::size_t first, std::size_t second) const { return pairs_[first * size() + second]; }
+  /// Greatest E_eff that a particle of this material can meet, Pa.
+  double stiffest_partner(std::size_t material) const;
+
+ private:
+  std::vector<Material> materials_;
+  std::vector<PairParameters> pairs_;  ///< size() x size(); zero where the deck has none (walls among themselves)
+};
+
+}  // namespace repose

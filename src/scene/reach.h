@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cmath>
+
+#include "scene/particles.h"
+
+namespace repose {
+
+/// Each particle has a skin of its own: a share of its radius and the way it makes within `horizon` at its present speed.
+/// A list of the pairs closer than the sum of their reaches (radius + skin) holds every contact until some particle has
+/// moved by more than its own skin. So a few fast grains make neither the lists of the others long nor rebuilds frequent.
+struct SkinRule {
+  double share;    ///< of the radius
+  double horizon;  ///< s
+};
+
+inline double skin_of(const ParticleRecord& particle, const SkinRule& rule) {
+  return rule.share * particle.radius + rule.horizon * norm(particle.velocity);
+}
+inline double reach_of(const ParticleRecord& particle, const SkinRule& rule) {
+  return particle.radius + skin_of(particle, rule);
+}
+
+}  // namespace repose

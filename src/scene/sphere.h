@@ -1,0 +1,15 @@
+#pragma once
+
+#include "base/math.h"
+
+namespace repose {
+
+/// Mass of a solid sphere in kg from its radius in m and its density in kg/m^3.
+constexpr double sphere_mass(double radius, double density) {
+  return density * (4.0 / 3.0 * pi) * (radius * radius * radius);
+}
+
+/// Moment of inertia of a solid sphere about its centre in kg m^2.
+constexpr double sphere_inertia(double mass, double radius) { return 0.4 * mass * (radius * radius); }
+
+}  // namespace repose

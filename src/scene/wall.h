@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "deck/deck.h"
+#include "scene/wall_shapes.h"
+
+namespace repose {
+
+/// A named surface with a material.
+struct Wall {
+  std::string name;
+  int material = 0;     ///< index into the deck's materials
+  bool present = true;  ///< false until a phase adds it
+  std::variant<Plane, Rectangle, Profile> shape;
+};
+
+/// A wall from its deck section; a disc becomes a profile of one segment. DeckError, naming the wall, when its shape
+/// makes no sense.
+Wall make_wall(const WallDeck& deck, int material);
+
+/// Appends to `out` all features of the wall whose distance from `centre` is less than `reach` (m), tagged with the
+/// index `wall_index`; returns how many. Does not ask whether the wall is present.
+int find_touches(const Wall& wall, int wall_index, const Vec3& centre, double reach, TouchBuffer& out);
+
+/// Distance in m from `centre` to the surface.
+double distance(const Wall& wall, const Vec3& centre);
+
+/// Whether two features of a wall meet (or are one), so that a contact may pass from one to the other with its history.
+bool adjacent_features(const Wall& wall, int a, int b);
+
+}  // namespace repose

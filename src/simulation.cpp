@@ -1,0 +1,198 @@
+#include "simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "guards.h"
+#include "domain/migration.h"
+#include "integration/velocity_verlet.h"
+#include "scene/sphere.h"
+#include "setup.h"
+
+namespace repose {
+namespace {
+
+constexpr double inner_horizon_steps = 16.0;   // steps at present speed that the inner skin covers
+constexpr double outer_horizon_steps = 160.0;  // the same of the outer skin
+
+}  // namespace
+
+Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level)
+    : comm_(comm),
+      deck_(deck),
+      level_(level),
+      materials_(deck),
+      walls_(make_walls(deck, materials_)),
+      decomposition_(comm.size()),
+      ghosts_(comm) {
+  const NewParticles all = insert_particles(deck_, walls_, read_file);
+  time_step_ = choose_time_step(deck_, materials_, smallest_radii(all, materials_.size()),
+                                expected_speed(deck_, highest_particle(all)));
+  watch_ = SkinWatch({deck_.neighbours.inner_skin, inner_horizon_steps * time_step_.step},
+                     {deck_.neighbours.skin, outer_horizon_steps * time_step_.step});
+  insert(all);
+  rebuild_lists();
+  evaluate_forces(0.0);
+  check_guards();
+}
+
+/// Each rank starts with an equal share of the ids; the first rebuild sends the particles where they belong.
+void Simulation::insert(const NewParticles& all) {
+  inserted_ = static_cast<std::int64_t>(all.size());
+  double total_mass = 0.0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    total_mass += sphere_mass(all.radius[i], materials_[static_cast<std::size_t>(all.material[i])].density);
+  }
+  mass_unit_ = MassUnit(total_mass);
+  const auto ranks = static_cast<std::size_t>(comm_.size());
+  const auto rank = static_cast<std::size_t>(comm_.rank());
+  for (std::size_t i = all.size() * rank / ranks; i < all.size() * (rank + 1) / ranks; ++i) {
+    particles_.record.push_back({all.position[i], all.radius[i], all.velocity[i], 0.0, all.spin[i], 0.0});
+    particles_.id.push_back(static_cast<std::int64_t>(i));
+    particles_.material.push_back(all.material[i]);
+  }
+  particles_.owned = particles_.id.size();
+}
+
+void Simulation::step() {
+  const double dt = time_step_.step;
+  kick_half_step(deck_.gravity, dt, particles_);
+  drift(dt, particles_);
+  retire_leavers(deck_.domain, materials_, mass_unit_, particles_, left_);
+  switch (agreed_list_state()) {
+    case ListState::outer_stale:
+      rebuild_lists();
+      break;
+    case ListState::inner_stale:
+      ghosts_.start(particles_);
+      ghosts_.finish(particles_);
+      pairs_.select_near(particles_, watch_.inner());
+      watch_.inner_selected(particles_);
+      ++counters_.inner_selections;
+      break;
+    case ListState::valid:
+      ghosts_.start(particles_);
+      ghosts_on_their_way_ = true;
+      break;
+  }
+  evaluate_forces(dt);
+  kick_half_step(deck_.gravity, dt, particles_);
+  ++steps_;
+}
+
+/// The state of the lists, and whether any rank raised an alarm, in one reduction.
+ListState Simulation::agreed_list_state() {
+  constexpr int alarmed = 3;
+  const int here = alarm_.empty() ? static_cast<int>(watch_.state(particles_)) : alarmed;
+  const int worst = comm_.size() == 1 ? here : comm_.max(here);
+  if (worst == alarmed) check_guards();
+  return static_cast<ListState>(worst);
+}
+
+void Simulation::rebuild_lists() {
+  ContactMemory memory = {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)};
+  if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
+  balance();
+  migrate(comm_, decomposition_, particles_, memory);
+  set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
+  check_time_step();
+  const std::vector<double> reach = ghosts_.set_up(decomposition_, watch_.outer(), particles_);
+  add_lane_dummies(particles_);
+  pairs_.build(particles_, reach, memory.pairs);
+  wall_contacts_.build(particles_, walls_, reach, memory.walls);
+  pairs_.select_near(particles_, watch_.inner());
+  watch_.lists_rebuilt(particles_);
+  ++counters_.rebuilds;
+}
+
+/// A new decomposition when the busiest rank has more than its share, measured in counted particles and pairs.
+void Simulation::balance() {
+  if (comm_.size() == 1) return;
+  constexpr std::int64_t particle_cost = 2;  // in units of a listed pair
+  std::vector<std::int64_t> cost = pairs_.pairs_of_owned(particles_);
+  std::vector<Vec3> positions;
+  std::vector<std::int64_t> alive_cost;
+  std::int64_t here = 0;
+  for (std::size_t i = 0; i < particles_.owned; ++i) {
+    if (is_parked(particles_.record[i])) continue;
+    positions.push_back(particles_.record[i].position);
+    alive_cost.push_back(particle_cost + cost[i]);
+    here += alive_cost.back();
+  }
+  const std::int64_t total = comm_.sum(here);
+  const std::int64_t busiest = comm_.max(here);
+  counters_.imbalance =
+      total > 0 ? static_cast<double>(busiest) * comm_.size() / static_cast<double>(total) : 1.0;
+  const bool first = counters_.rebuilds == 0;
+  if (!first && counters_.imbalance <= deck_.neighbours.max_imbalance) return;
+  decomposition_ = Decomposition::bisect(comm_, positions, alive_cost);
+  ++counters_.bisections;
+}
+
+/// The criteria of the time step with the true greatest speed: one warning beyond the fraction, an error beyond twice.
+void Simulation::check_time_step() {
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < particles_.owned; ++i) fastest = std::max(fastest, norm(particles_.record[i].velocity));
+  fastest = comm_.max(fastest);
+  const double excess = time_step_excess(time_step_, fastest);
+  if (excess > 2.0) {
+    throw PhysicsError(fmt::format(
+        "step {}: a particle moves at {:.3g} m/s, for which the time step {:.3g} s is {:.2g} times its criterion; "
+        "set time.expected_speed to {:.3g} or shorten time.step",
+        steps_, fastest, time_step_.step, excess, fastest));
+  }
+  if (excess > 1.0 + 1e-9 && !warned_of_time_step_) {
+    warned_of_time_step_ = true;
+    warning_ = fmt::format(
+        "step {}: at {:.3g} m/s the time step {:.3g} s is {:.2f} times its criterion (expected {:.3g} m/s; an error at 2)",
+        steps_, fastest, time_step_.step, excess, time_step_.speed);
+  }
+}
+
+void Simulation::evaluate_forces(double dt) {
+  std::fill(particles_.sum.begin(), particles_.sum.end(), ForceSum{});
+  const double max_overlap = deck_.guards.max_overlap;
+  bool alarm = false;
+  const auto evaluate = [&](bool interior) {
+    for (PairGroup& group : pairs_.groups()) {
+      if (group.interior != interior) continue;
+      const PairParameters& pair = materials_.pair(static_cast<std::size_t>(group.material_first),
+                                                   static_cast<std::size_t>(group.material_second));
+      alarm |= evaluate_pairs(level_, group.blocks, pair, dt, max_overlap, particles_.record.data(),
+                              particles_.sum.data())
+                   .any();
+    }
+  };
+  evaluate(true);
+  alarm |= wall_contacts_.evaluate(walls_, materials_, dt, max_overlap, particles_).any();
+  if (ghosts_on_their_way_) ghosts_.finish(particles_);
+  ghosts_on_their_way_ = false;
+  evaluate(false);
+  if (alarm && alarm_.empty()) {
+    alarm_ = describe_alarm(particles_, pairs_, wall_contacts_, walls_, max_overlap, dt > 0.0 ? steps_ + 1 : 0);
+  }
+}
+
+void Simulation::check_guards() const {
+  const int none = comm_.size();
+  const int first = comm_.min(alarm_.empty() ? none : comm_.rank());
+  if (first == none) return;
+  std::string message = alarm_;
+  comm_.broadcast(message, first);
+  throw PhysicsError(message);
+}
+
+void Simulation::set_wall_present(const std::string& name, bool present) {
+  const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) { return w.name == name; });
+  if (wall != walls_.end()) wall->present = present;
+}
+
+std::optional<std::string> Simulation::take_warning() {
+  std::optional<std::string> warning;
+  std::swap(warning, warning_);
+  return warning;
+}
+
+}  // namespace repose

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comm/communicator.h"
+#include "contact/pair_loop.h"
+#include "contact/wall_contacts.h"
+#include "deck/deck.h"
+#include "domain/decomposition.h"
+#include "domain/exits.h"
+#include "domain/ghost_exchange.h"
+#include "integration/time_step.h"
+#include "neighbours/pair_lists.h"
+#include "neighbours/skin_watch.h"
+#include "scene/insertion.h"
+#include "scene/mass_unit.h"
+#include "scene/materials.h"
+#include "scene/particles.h"
+#include "scene/wall.h"
+
+namespace repose {
+
+/// How the lists and the decomposition have fared, on this rank unless stated otherwise.
+struct RunCounters {
+  std::int64_t rebuilds = 0;         ///< of the outer lists
+  std::int64_t inner_selections = 0;  ///< of the inner lists alone
+  std::int64_t bisections = 0;       ///< new decompositions
+  double imbalance = 1.0;            ///< cost of the busiest rank over the mean, at the last rebuild
+};
+
+/// One DEM simulation on the ranks of a communicator: state and time loop. It opens no file; phases, measurements and
+/// output are led from outside (run.h). Several can live in one process.
+class Simulation {
+ public:
+  /// Collective. Sets up the scene of a checked deck and evaluates the initial forces (without advancing histories).
+  /// DeckError when particles do not fit or the time step is too long.
+  Simulation(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level);
+
+  /// Collective. One time step. PhysicsError on all ranks when a guard of the step before was hit.
+  void step();
+
+  /// Collective. PhysicsError on all ranks when a guard was hit since the last step: call before the state is used.
+  void check_guards() const;
+
+  /// Adds or removes a named wall from the next evaluation of the forces on. Contacts with a removed wall are forgotten.
+  void set_wall_present(const std::string& name, bool present);
+
+  const Communicator& comm() const { return comm_; }
+  const Deck& deck() const { return deck_; }
+  const Particles& particles() const { return particles_; }
+  const MaterialTable& materials() const { return materials_; }
+  const MassUnit& mass_unit() const { return mass_unit_; }
+  const PairLists& pairs() const { return pairs_; }
+  const WallContacts& wall_contacts() const { return wall_contacts_; }
+  const std::vector<Wall>& walls() const { return walls_; }
+  const TimeStep& time_step() const { return time_step_; }
+  const RunCounters& counters() const { return counters_; }
+  const ExitCount& left_here() const { return left_; }  ///< on this rank
+  std::int64_t inserted() const { return inserted_; }
+  std::int64_t steps() const { return steps_; }
+  double time() const { return static_cast<double>(steps_) * time_step_.step; }
+  /// A warning for the user that came up since the last call, on all ranks alike.
+  std::optional<std::string> take_warning();
+
+ private:
+  void insert(const NewParticles& all);
+  void rebuild_lists();
+  void balance();
+  void check_time_step();
+  ListState agreed_list_state();
+  void evaluate_forces(double dt);
+  void raise_alarm(const std::string& message);
+
+  const Communicator& comm_;
+  Deck deck_;
+  VectorLevel level_;
+  MaterialTable materials_;
+  std::vector<Wall> walls_;
+  TimeStep time_step_;
+  Particles particles_;
+  std::int64_t inserted_ = 0;
+  MassUnit mass_unit_{1.0};
+  ExitCount left_;
+  Decomposition decomposition_;
+  GhostExchange ghosts_;
+  bool ghosts_on_their_way_ = false;
+  SkinWatch watch_{{}, {}};
+  PairLists pairs_;
+  WallContacts wall_contacts_;
+  std::int64_t steps_ = 0;
+  RunCounters counters_;
+  std::string alarm_;  ///< the first guard hit on this rank, empty if none
+  bool warned_of_time_step_ = false;
+  std::optional<std::string> warning_;
+};
+
+}  // namespace repose

@@ -1,0 +1,104 @@
+// The contact law, wall and integrator against LIGGGHTS 3.8 (tests/reference/README.md), over the whole length of each
+// trace: the greatest difference of a vector, over the greatest magnitude of that vector in the trace.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/scenes.h"
+
+namespace repose::test {
+namespace {
+
+struct TraceRow {
+  std::int64_t step;
+  std::size_t id;
+  Vec3 position, velocity, spin;
+};
+
+std::vector<TraceRow> read_trace(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  std::vector<TraceRow> rows;
+  while (std::getline(file, line)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream fields(line);
+    TraceRow r;
+    fields >> r.step >> r.id >> r.position.x >> r.position.y >> r.position.z >> r.velocity.x >> r.velocity.y >>
+        r.velocity.z >> r.spin.x >> r.spin.y >> r.spin.z;
+    rows.push_back(r);
+  }
+  return rows;
+}
+
+Vec3 vector_of(const nlohmann::json& j) { return {j[0], j[1], j[2]}; }
+
+Deck deck_of(const nlohmann::json& j) {
+  Coefficients c;
+  c.youngs_modulus = j["youngs_modulus"];
+  c.poisson_ratio = j["poisson_ratio"];
+  c.density = j["particles"][0]["rho"];
+  c.restitution_pp = j["restitution_pp"];
+  c.restitution_pw = j["restitution_pw"];
+  c.sliding_pp = j["sliding_pp"];
+  c.sliding_pw = j["sliding_pw"];
+  c.rolling_pp = j["rolling_pp"];
+  c.rolling_pw = j["rolling_pw"];
+  Deck deck = bare_deck(c, j["dt"]);
+  deck.gravity = vector_of(j["gravity"]);
+  if (!j["wall_plane_z"].is_null()) deck.walls.push_back(floor_at(j["wall_plane_z"]));
+  return deck;
+}
+
+struct Deviation {
+  double greatest_difference = 0.0;
+  double greatest_magnitude = 0.0;
+  void add(const Vec3& ours, const Vec3& theirs) {
+    greatest_difference = std::max(greatest_difference, norm(ours - theirs));
+    greatest_magnitude = std::max(greatest_magnitude, norm(theirs));
+  }
+  double relative() const { return greatest_magnitude > 0.0 ? greatest_difference / greatest_magnitude : greatest_difference; }
+};
+
+class LiggghtsTrace : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(LiggghtsTrace, IsFollowedOverItsWholeLength) {
+  const std::string base = std::string(REPOSE_SOURCE_DIR) + "/tests/reference/liggghts/" + GetParam();
+  std::ifstream parameters(base + ".json");
+  const nlohmann::json j = nlohmann::json::parse(parameters);
+  std::vector<Grain> grains;
+  for (const auto& p : j["particles"]) {
+    grains.push_back({vector_of(p["x"]), vector_of(p["v"]), vector_of(p["w"]), p["r"]});
+  }
+  const std::vector<TraceRow> trace = read_trace(base + ".csv");
+  ASSERT_GT(trace.size(), grains.size());
+
+  Scene scene(deck_of(j), grains);
+  Deviation position, velocity, spin;
+  for (const TraceRow& row : trace) {
+    scene.run(row.step - scene.simulation().steps());
+    const Grain ours = scene.grains()[row.id - 1];
+    position.add(ours.position, row.position);
+    velocity.add(ours.velocity, row.velocity);
+    spin.add(ours.spin, row.spin);
+  }
+  EXPECT_EQ(scene.simulation().steps(), j["steps"].get<std::int64_t>());
+  EXPECT_LT(position.relative(), 1e-9);
+  EXPECT_LT(velocity.relative(), 1e-9);
+  EXPECT_LT(spin.relative(), 1e-9);
+  RecordProperty("position", testing::PrintToString(position.relative()));
+  RecordProperty("velocity", testing::PrintToString(velocity.relative()));
+  RecordProperty("spin", testing::PrintToString(spin.relative()));
+  std::cout << "  relative deviation: position " << position.relative() << ", velocity " << velocity.relative() << ", spin "
+            << spin.relative() << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LiggghtsTrace,
+                         ::testing::Values("pair_normal_impact", "pair_oblique_spin_unequal", "three_sphere_heap",
+                                           "wall_oblique_bounce", "wall_roll_down_incline", "wall_roll_to_rest"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace repose::test

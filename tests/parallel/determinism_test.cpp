@@ -1,0 +1,97 @@
+// The state after n steps has the same bits on any number of ranks: each test runs the same case on all ranks and, on
+// rank 0, alone.
+#include <gtest/gtest.h>
+
+#include "deck/read_deck.h"
+#include "measurement/state_hash.h"
+#include "phases.h"
+#include "shared_file.h"
+#include "simulation.h"
+
+namespace repose::test {
+namespace {
+
+std::string hash_of(const Simulation& s) { return state_hash(s.comm(), s.particles(), s.pairs(), s.wall_contacts()); }
+
+/// A small discharge: grains fall, settle a little, the gate opens, some leave the domain through its floor.
+Deck small_discharge() {
+  Communicator world(MPI_COMM_WORLD);
+  const std::string path = std::string(REPOSE_SOURCE_DIR) + "/input/discharge_quick.toml";
+  return read_deck(read_shared_file(world, path), path,
+                   {"particles.0.mass=0.06 g", "particles.0.height=10 mm", "domain.min=[-0.004, -0.004, -0.003]",
+                    "time.step=6e-6", "wall.plate.present=false", "wall.vessel.points=[[0.002,0.04],[0.002,0],[0.00125,0]]",
+                    "wall.lid.radius=0.00125", "particles.0.radius=0.002", "particles.0.spacing=0.0006"});
+}
+
+struct Outcome {
+  std::vector<std::string> hashes;
+  std::int64_t left = 0;
+  RunCounters counters;
+};
+
+Outcome run(const Communicator& comm, const Deck& deck, VectorLevel level = best_vector_level()) {
+  Simulation simulation(comm, deck, {}, level);
+  Outcome outcome;
+  for (const PhaseDeck& phase_deck : deck.phases) {
+    const Phase phase(phase_deck, simulation);
+    for (int part = 0; part < 4; ++part) {
+      for (int step = 0; step < 2000; ++step) simulation.step();
+      simulation.check_guards();
+      outcome.hashes.push_back(hash_of(simulation));
+    }
+  }
+  for (const std::int64_t n : simulation.left_here().particles) outcome.left += n;
+  outcome.left = comm.sum(outcome.left);
+  outcome.counters = simulation.counters();
+  return outcome;
+}
+
+TEST(Determinism, SameBitsOnAllRanksAsOnOne) {
+  const Communicator world(MPI_COMM_WORLD);
+  const Communicator self(MPI_COMM_SELF);
+  const Deck deck = small_discharge();
+  const Outcome together = run(world, deck);
+  EXPECT_GT(together.left, 20);                // the gate has opened and grains have left
+  EXPECT_GT(together.counters.rebuilds, 20);
+  if (world.size() > 1) EXPECT_GT(together.counters.bisections, 2);
+  if (world.is_root()) {
+    const Outcome alone = run(self, deck);
+    EXPECT_EQ(together.hashes, alone.hashes);
+    EXPECT_EQ(together.left, alone.left);
+    for (std::size_t k = 1; k < alone.hashes.size(); ++k) EXPECT_NE(alone.hashes[k], alone.hashes[k - 1]);
+  }
+  world.barrier();
+}
+
+TEST(Determinism, SameBitsWhateverTheLists) {
+  const Communicator world(MPI_COMM_WORLD);
+  Deck deck = small_discharge();
+  const Outcome usual = run(world, deck);
+  deck.neighbours.skin = 1.0;
+  deck.neighbours.inner_skin = 0.2;
+  deck.neighbours.max_imbalance = 1.5;
+  const Outcome other = run(world, deck);
+  EXPECT_EQ(usual.hashes, other.hashes);
+  EXPECT_NE(usual.counters.rebuilds, other.counters.rebuilds);
+}
+
+TEST(Determinism, SameBitsAtEveryVectorLevel) {
+  const Communicator world(MPI_COMM_WORLD);
+  const Deck deck = small_discharge();
+  const Outcome plain = run(world, deck, VectorLevel::sse2);
+  EXPECT_EQ(plain.hashes, run(world, deck, best_vector_level()).hashes);
+}
+
+TEST(Determinism, MoreRanksThanParticles) {
+  const Communicator world(MPI_COMM_WORLD);
+  const Communicator self(MPI_COMM_SELF);
+  Deck deck = small_discharge();
+  deck.particles[0].mass = std::numeric_limits<double>::quiet_NaN();
+  deck.particles[0].count = 3;
+  const Outcome together = run(world, deck);
+  if (world.is_root()) EXPECT_EQ(together.hashes, run(self, deck).hashes);
+  world.barrier();
+}
+
+}  // namespace
+}  // namespace repose::test

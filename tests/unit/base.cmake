@@ -1,0 +1,3 @@
+repose_test(base_tests LABEL unit
+  SOURCES base_math_test.cpp base_philox_test.cpp
+  LINK repose_base)

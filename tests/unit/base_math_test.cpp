@@ -1,0 +1,61 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/math.h"
+#include "base/philox.h"
+
+namespace repose {
+namespace {
+
+// Units in the last place between a double and the true value, known to more digits.
+double ulps(double value, long double truth) {
+  const double rounded = static_cast<double>(truth);
+  const double ulp = std::nextafter(std::fabs(rounded), std::numeric_limits<double>::infinity()) - std::fabs(rounded);
+  return static_cast<double>(std::fabs(static_cast<long double>(value) - truth)) / ulp;
+}
+
+double draw(std::uint64_t i, std::uint32_t k) { return uniform(7, i, RandomStream::insertion_jitter, k); }
+
+TEST(LogReproducible, AgreesWithTheLibraryOverAllMagnitudes) {
+  double worst = 0.0;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const double x = std::ldexp(1.0 + draw(i, 0), static_cast<int>(2000.0 * draw(i, 1)) - 1000);
+    worst = std::fmax(worst, ulps(log_reproducible(x), std::log(static_cast<long double>(x))));
+  }
+  EXPECT_LE(worst, 2.0);
+}
+
+TEST(LogReproducible, AgreesWithTheLibraryNearOneAndBelow) {
+  double worst = 0.0;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const double near_one = 1.0 + std::ldexp(draw(i, 0) - 0.5, -static_cast<int>(50.0 * draw(i, 1)));
+    const double restitution = draw(i, 2) + 1e-6;
+    worst = std::fmax(worst, ulps(log_reproducible(restitution), std::log(static_cast<long double>(restitution))));
+    if (near_one == 1.0) continue;
+    worst = std::fmax(worst, ulps(log_reproducible(near_one), std::log(static_cast<long double>(near_one))));
+  }
+  EXPECT_LE(worst, 2.0);
+}
+
+TEST(LogReproducible, IsExactWhereTheLogarithmIs) { EXPECT_EQ(log_reproducible(1.0), 0.0); }
+
+TEST(FifthRoot, AgreesWithTheLibraryOverAllMagnitudes) {
+  double worst = 0.0;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const double x = std::ldexp(1.0 + draw(i, 0), static_cast<int>(2000.0 * draw(i, 1)) - 1000);
+    worst = std::fmax(worst, ulps(fifth_root(x), std::pow(static_cast<long double>(x), 0.2L)));
+  }
+  EXPECT_LE(worst, 2.0);
+}
+
+TEST(FifthRoot, IsExactForFifthPowers) {
+  EXPECT_EQ(fifth_root(1.0), 1.0);
+  EXPECT_EQ(fifth_root(32.0), 2.0);
+  EXPECT_EQ(fifth_root(243.0), 3.0);
+  EXPECT_EQ(fifth_root(0x1p-50), 0x1p-10);
+}
+
+}  // namespace
+}  // namespace repose

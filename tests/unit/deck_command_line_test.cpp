@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "command_line.h"
+
+namespace repose {
+namespace {
+
+using Action = CommandLine::Action;
+
+CommandLine parse(std::vector<std::string> words) {
+  words.insert(words.begin(), "repose");
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  return parse_command_line(static_cast<int>(words.size()), argv.data());
+}
+
+TEST(ParseCommandLine, Run) {
+  const CommandLine line = parse({"run", "--set", "time.step=-1", "deck.toml", "--output", "out", "--set",
+                                  "gravity=[0,0,-1]", "--set=run.title=two words, or more", "--vector-level", "avx2"});
+  EXPECT_EQ(line.action, Action::run);
+  EXPECT_EQ(line.deck, "deck.toml");
+  EXPECT_EQ(line.output, "out");
+  EXPECT_EQ(line.overrides,
+            (std::vector<std::string>{"time.step=-1", "gravity=[0,0,-1]", "run.title=two words, or more"}));
+  EXPECT_EQ(line.vector_level, "avx2");
+  EXPECT_FALSE(line.quiet);
+}
+
+TEST(ParseCommandLine, OtherActions) {
+  const CommandLine check = parse({"check", "deck.toml", "--set", "a=1"});
+  EXPECT_EQ(check.action, Action::check);
+  EXPECT_EQ(check.deck, "deck.toml");
+  EXPECT_EQ(check.overrides, std::vector<std::string>{"a=1"});
+  EXPECT_EQ(parse({"keys"}).action, Action::keys);
+  EXPECT_EQ(parse({"--version"}).action, Action::version);
+  const CommandLine run = parse({"run", "deck.toml", "--output", "out", "--quiet"});
+  EXPECT_TRUE(run.quiet);
+  EXPECT_EQ(run.vector_level, "auto");
+}
+
+TEST(ParseCommandLine, HelpIsText) {
+  const CommandLine help = parse({"--help"});
+  EXPECT_EQ(help.action, Action::none);
+  for (const char* word : {"run", "check", "keys", "--version"})
+    EXPECT_NE(help.text.find(word), std::string::npos) << word;
+  const CommandLine run = parse({"run", "--help"});
+  EXPECT_EQ(run.action, Action::none);
+  EXPECT_NE(run.text.find("--vector-level"), std::string::npos) << run.text;
+}
+
+TEST(ParseCommandLine, MistakesAreOneLine) {
+  struct Bad {
+    std::vector<std::string> words;
+    const char* message;
+  };
+  const Bad cases[] = {
+      {{}, "nothing to do: name a command; see repose --help"},
+      {{"ran", "deck.toml"}, "The following arguments were not expected: deck.toml ran; see repose --help"},
+      {{"run", "--output", "out"}, "DECK is required; see repose --help"},
+      {{"run", "deck.toml"}, "--output is required; see repose --help"},
+      {{"check", "a.toml", "b.toml"}, "The following argument was not expected: b.toml; see repose --help"},
+      {{"check", "a.toml", "--set"}, "--set: 1 required KEY=VALUE missing; see repose --help"},
+      {{"run", "a.toml", "--output", "o", "--vector-level", "mmx"},
+       "--vector-level: mmx not in {auto,sse2,avx2,avx512}; see repose --help"},
+  };
+  for (const Bad& c : cases) {
+    try {
+      parse(c.words);
+      ADD_FAILURE() << c.message;
+    } catch (const DeckError& error) {
+      EXPECT_STREQ(error.what(), c.message);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace repose

@@ -1,0 +1,297 @@
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "deck/read_deck.h"
+#include "deck_example.h"
+
+namespace repose {
+namespace {
+
+/// The example deck with one text, which must occur exactly once, replaced.
+std::string with(const std::string& old_text, const std::string& new_text) {
+  std::string deck = example_deck;
+  const std::size_t at = deck.find(old_text);
+  EXPECT_NE(at, std::string::npos) << old_text;
+  EXPECT_EQ(deck.find(old_text, at + 1), std::string::npos) << old_text << " is there twice";
+  return deck.replace(at, old_text.size(), new_text);
+}
+
+std::string message_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    read_deck(text, "deck.toml", overrides);
+  } catch (const DeckError& error) {
+    EXPECT_EQ(error.code(), ExitCode::usage);
+    return error.what();
+  }
+  return "no error";
+}
+
+struct Edit {
+  const char* old_text;
+  const char* new_text;
+  const char* message;  ///< behind "deck.toml:"
+};
+
+void expect_messages(const std::vector<Edit>& edits) {
+  for (const Edit& edit : edits) {
+    EXPECT_EQ(message_of(with(edit.old_text, edit.new_text)), std::string("deck.toml:") + edit.message);
+  }
+}
+
+TEST(DeckErrors, TheExampleHasNone) { EXPECT_EQ(message_of(example_deck), "no error"); }
+
+TEST(DeckErrors, Syntax) {
+  expect_messages({
+      {"step = 1e-6", "step = 1e-6\nstep = 2e-6",
+       "61:8: TOML syntax: Error while parsing key-value pair: cannot redefine existing floating-point 'step'; give it "
+       "once"},
+      {"[time]", "[domain]",
+       "59:1: TOML syntax: Error while parsing table header: cannot redefine existing table 'domain'; give it once"},
+      {"step = 1e-6", "step = 1 us",
+       "60:10: TOML syntax: Error while parsing key-value pair: expected a comment or whitespace, saw 'u'; one key per "
+       "line, and a value with a unit is a text, as \"5 mm\""},
+      {"type = \"disc\"", "type = disc",
+       "43:8: TOML syntax: Error while parsing value: could not determine value type; a text needs quotes"},
+      {"[time]", "[time", "59:6: TOML syntax: Error while parsing table header: expected ']', saw '\\n'"},
+  });
+}
+
+TEST(DeckErrors, UnknownKeys) {
+  expect_messages({
+      {"density = 2500", "densty = 2500",
+       "9:1: unknown key \"densty\" in [[material]]; the nearest key is \"density\""},
+      {"[time]", "[tyme]", "59:2: unknown key \"tyme\" in the deck; the nearest key is \"time\""},
+      {"[measurement.discharge]", "[measurement.discharg]",
+       "76:14: unknown key \"discharg\" in [measurement]; the nearest key is \"discharge\""},
+      {"plate_height = -0.05", "plate_heigth = -0.05",
+       "80:1: unknown key \"plate_heigth\" in [measurement.angle_of_repose]; the nearest key is \"plate_height\""},
+      {"max = [0.1, 0.1, \"100 mm\"]", "max = [0.1, 0.1, 0.1]\ngravity = [0, 0, -1]",
+       "4:1: unknown key \"gravity\" in [domain]; it belongs before the first section"},
+      {"step = 1e-6", "step = 1e-6\nrun.sed = 1", "61:1: unknown key \"run\" in [time]; the nearest key is \"step\""},
+  });
+}
+
+TEST(DeckErrors, MissingKeysAndSections) {
+  expect_messages({
+      {"density = 2500\n", "", "5:1: [[material]] lacks \"density\" (density of the solid)"},
+      {"centre = [0, 0, 0]\nradius = 0.02\n", "", "41:1: [[wall]] lacks \"centre\" (centre), \"radius\" (radius)"},
+      {"kinetic_energy = 1e-12\n", "",
+       "62:1: [[phase]] lacks \"kinetic_energy\" (ends when the mean translational energy per particle is below)"},
+      {"max_time = 2\n", "", "62:1: [[phase]] lacks \"max_time\" (ends the phase whatever its condition says)"},
+      {"count = 100\n", "", "49:1: [[particles]] lacks \"mass\" or \"count\"; give one of them"},
+      {"until = \"time\"\n", "", "70:1: [[phase]] lacks \"until\" (what ends the phase)"},
+  });
+  EXPECT_EQ(
+      message_of(""),
+      "deck.toml:1:1: the deck lacks \"domain\" (the box that is simulated; a particle that leaves it is counted and "
+      "gone), \"material\" (a solid), \"pair\" (contact of two materials, in either order), \"particles\" (a block of "
+      "spheres), \"phase\" (a stage of the run; the phases follow each other)");
+}
+
+TEST(DeckErrors, KeysOfAnotherType) {
+  expect_messages({
+      {"point = [0, 0, -0.05]", "point = [0, 0, -0.05]\nradius = 1",
+       "34:1: \"radius\" of [[wall]] is only allowed with type = disc; remove it"},
+      {"count = 100", "file = \"a.csv\"", "53:1: \"file\" of [[particles]] is only allowed with type = csv; remove it"},
+      {"count = 100", "max = [1, 1, 1]", "53:1: \"max\" of [[particles]] is only allowed with region = box; remove it"},
+      {"time = 1\n", "time = 1\nsteps = 5\n",
+       "74:1: \"steps\" of [[phase]] is only allowed with until = steps; remove it"},
+      {"time = 1\n", "time = 1\nmin_time = 1\n",
+       "74:1: \"min_time\" of [[phase]] is only allowed with until = kinetic_energy; remove it"},
+      {"plate_height = -0.05", "plate_height = -0.05\ncamera_height = 0",
+       "81:1: \"camera_height\" of [measurement.angle_of_repose] is only allowed with camera = perspective; remove it"},
+  });
+}
+
+TEST(DeckErrors, Types) {
+  expect_messages({
+      {"poisson_ratio = 0.25", "poisson_ratio = \"0.25\"",
+       "8:17: \"poisson_ratio\" must be a number, not the text \"0.25\""},
+      {"density = 2500", "density = true",
+       "9:11: \"density\" must be a number in kg/m3 or a text with a unit such as \"1 kg/m3\", not true"},
+      {"density = 2500", "density = 2020-01-01",
+       "9:11: \"density\" must be a number in kg/m3 or a text with a unit such as \"1 kg/m3\", not a date or time"},
+      {"count = 100", "count = 1e2", "53:9: \"count\" must be an integer, not the number 100"},
+      {"present = false", "present = 0", "45:11: \"present\" must be true or false, not the number 0"},
+      {"name = \"settle\"", "name = 7", "63:8: \"name\" must be a text in quotes, not the number 7"},
+      {"[0, 0, -0.05]", "[0, 0]", "33:9: \"point\" must be [x, y, z], not a list of 2"},
+      {"[0, 0, -0.05]", "0.05", "33:9: \"point\" must be [x, y, z], not the number 0.05"},
+      {"[0, 0, -0.05]", "[0, [], 1]",
+       "33:13: \"point.1\" must be a number in m or a text with a unit such as \"1 m\", not a list of 0"},
+      {"[0.02, -0.05]", "[0.02]", "39:25: \"points.1\" must be [r, z], not a list of 1"},
+      {"[[0.02, 0.05], [0.02, -0.05]]", "3", "39:10: \"points\" must be a list of [r, z], not the number 3"},
+      {"[\"glass\", \"glass\"]", "[\"glass\"]", "18:13: \"materials\" must be [text, text], not a list of 1"},
+      {"add_walls = [\"gate\"]", "add_walls = \"gate\"",
+       "68:13: \"add_walls\" must be a list of texts, not the text \"gate\""},
+      {"[measurement.discharge]", "[[measurement.discharge]]",
+       "76:1: \"measurement.discharge\" is a list of 1; it must be the section [measurement.discharge]"},
+      {"type = \"disc\"", "type = \"disk\"",
+       "43:8: \"disk\" is no type; it must be one of profile, plane, disc, rectangle; the nearest is \"disc\""},
+  });
+}
+
+TEST(DeckErrors, ValueInsteadOfSection) {
+  EXPECT_EQ(message_of("time = 1e-6\n" + with("[time]\nstep = 1e-6\n", "")),
+            "deck.toml:1:8: \"time\" is the number 1e-06; it must be the section [time]");
+}
+
+TEST(DeckErrors, SingleInsteadOfRepeatedSection) {
+  EXPECT_EQ(message_of("[domain]\nmin=[0,0,0]\nmax=[1,1,1]\n[material]\nname=\"a\"\n"),
+            "deck.toml:4:1: \"material\" is a section; write [[material]], which can be repeated");
+}
+
+TEST(DeckErrors, RangesAndUnits) {
+  expect_messages({
+      {"poisson_ratio = 0.25", "poisson_ratio = 0.5",
+       "8:17: \"poisson_ratio\" = 0.5 is out of range; it must be 0 <= x < 0.5"},
+      {"restitution = 0.9", "restitution = 1.01",
+       "19:15: \"restitution\" = 1.01 is out of range; it must be 0 <= x <= 1"},
+      {"sliding_friction = 0.5", "sliding_friction = -0.5",
+       "20:20: \"sliding_friction\" = -0.5 is out of range; it must be >= 0"},
+      {"step = 1e-6", "step = 0", "60:8: \"step\" = 0 is out of range; it must be > 0 (in s)"},
+      {"step = 1e-6", "step = inf", "60:8: \"step\" must be finite, not inf"},
+      {"step = 1e-6", "step = nan", "60:8: \"step\" must be finite, not nan"},
+      {"count = 100", "count = 0", "53:9: \"count\" = 0 is out of range; it must be >= 1"},
+      {"[0, 0, -0.05]", "[0, nan, 0]", "33:13: \"point.1\" must be finite, not nan"},
+      {"\"2 mm\"", "\"2 mg\"",
+       "52:12: \"diameter\": \"2 mg\" is not a length; write a length with one of the units m, km, cm, mm, um, nm"},
+      {"\"100 mm\"", "\"100 mn\"",
+       "3:18: \"max.2\": \"100 mn\" is not a length; write a length with one of the units m, km, cm, mm, um, nm"},
+      {"step = 1e-6", "step = \"1e-6\"",
+       "60:8: \"step\": \"1e-6\" has no unit; write a time with one of the units s, ms, us, ns"},
+      {"orifice_height = 0", "orifice_height = 0\nplugged_share = 1.5",
+       "78:17: \"plugged_share\" = 1.5 is out of range; it must be 0 <= x <= 1"},
+  });
+}
+
+TEST(DeckErrors, NamesAndPairs) {
+  expect_messages({
+      {"name = \"steel\"", "name = \"glass\"", "12:8: there are two [[material]] \"glass\"; a name is used once"},
+      {"name = \"tube\"", "name = \"floor\"", "36:8: there are two [[wall]] \"floor\"; a name is used once"},
+      {"name = \"flow\"", "name = \"settle\"", "71:8: there are two [[phase]] \"settle\"; a name is used once"},
+      {"name = \"flow\"", "name = \"1.flow\"",
+       "71:8: \"1.flow\" is no name; begin with a letter, then letters, digits, _ or -"},
+      {"materials = [\"steel\", \"glass\"]", "materials = [\"stel\", \"glass\"]",
+       "24:14: unknown material \"stel\"; the nearest is \"steel\""},
+      {"material = \"steel\"\npoint =", "material = \"stele\"\npoint =",
+       "32:12: unknown material \"stele\"; the nearest is \"steel\""},
+      {"material = \"glass\"", "material = \"gloss\"", "51:12: unknown material \"gloss\"; the nearest is \"glass\""},
+      {"materials = [\"glass\", \"glass\"]", "materials = [\"glass\", \"steel\"]",
+       "24:13: the pair of \"steel\" and \"glass\" is given twice; the order of the two does not matter"},
+      {"materials = [\"glass\", \"glass\"]", "materials = [\"steel\", \"steel\"]",
+       "51:12: no [[pair]] for \"glass\" and \"glass\", which can touch; add materials = [\"glass\", \"glass\"]"},
+      {"materials = [\"steel\", \"glass\"]", "materials = [\"steel\", \"steel\"]",
+       "32:12: no [[pair]] for \"glass\" and \"steel\", which can touch; add materials = [\"glass\", \"steel\"]"},
+  });
+}
+
+TEST(DeckErrors, MixturesNeedTheirPairs) {
+  const std::string two =
+      example_deck +
+      "[[particles]]\ntype = \"fill\"\nmaterial = \"steel\"\ndiameter = 0.002\ncount = 1\nregion = \"box\"\n"
+      "min = [0, 0, 0]\nmax = [0.05, 0.05, 0.05]\n";
+  EXPECT_EQ(message_of(two),
+            "deck.toml:32:12: no [[pair]] for \"steel\" and \"steel\", which can touch; add materials = [\"steel\", "
+            "\"steel\"]");
+  const std::string pair =
+      "[[pair]]\nmaterials = [\"steel\", \"steel\"]\nrestitution = 1\nsliding_friction = 0\nrolling_friction = 0\n";
+  EXPECT_EQ(message_of(two + pair), "no error");
+}
+
+TEST(DeckErrors, Shapes) {
+  expect_messages({
+      {"max = [0.1, 0.1, \"100 mm\"]", "max = [0.1, -0.1, 0.1]",
+       "3:7: \"max\" must be greater than \"min\" in x, y and z"},
+      {"[[0.02, 0.05], [0.02, -0.05]]", "[[0.02, 0.05]]", "39:10: \"points\" needs at least 2 points [r, z], not 1"},
+      {"[0.02, -0.05]", "[-0.02, -0.05]", "39:25: r = -0.02 is negative; r is the distance from the axis"},
+      {"[0.02, -0.05]", "[\"20 mm\", 0.05]", "39:25: this point repeats the one before; a segment needs a length"},
+      {"[[0.02, 0.05], [0.02, -0.05]]", "[[0, 0.05], [0, -0.05]]",
+       "39:22: this segment lies on the axis and has no surface; remove one of its points"},
+      {"[[0.02, 0.05], [0.02, -0.05]]", "[[0.02, 0.05], [0.02, -0.05]]\naxis_direction = [0, 0, 0]",
+       "40:18: \"axis_direction\" has length zero; it needs a direction"},
+      {"radius = 0.02", "radius = 0.02\nnormal = [0, 0, 0]", "48:10: \"normal\" has length zero; it needs a direction"},
+      {"type = \"plane\"\nmaterial = \"steel\"\npoint = [0, 0, -0.05]",
+       "type = \"rectangle\"\nmaterial = \"steel\"\ncorner = [0, 0, 0]\nedge_u = [1, 0, 0]\nedge_v = [1, 1, 0]",
+       "35:10: \"edge_v\" is not perpendicular to \"edge_u\""},
+      {"type = \"plane\"\nmaterial = \"steel\"\npoint = [0, 0, -0.05]",
+       "type = \"rectangle\"\nmaterial = \"steel\"\ncorner = [0, 0, 0]\nedge_u = [0, 0, 0]\nedge_v = [1, 1, 0]",
+       "34:10: \"edge_u\" has length zero; it needs a direction"},
+      {"diameter = \"2 mm\"", "diameter = \"31 mm\"", "52:12: \"diameter\" = 0.031 is larger than the region"},
+      {"count = 100", "count = 100\nmass = 0.01", "53:9: \"mass\" and \"count\" are both given; remove one"},
+      {"count = 100", "count = 100\nspacing = 0.0019", "54:11: \"spacing\" = 0.0019 is less than the diameter 0.002"},
+      {"height = 0.05", "height = 0.2", "54:10: the region reaches beyond the [domain]; enlarge the domain"},
+      {"height = 0.05", "height = 0.05\nradius_top = 0.2",
+       "54:10: the region reaches beyond the [domain]; enlarge the domain"},
+      {"step = 1e-6", "[neighbours]\nskin = 0.1\ninner_skin = 0.2",
+       "62:14: \"inner_skin\" = 0.2 must be at most \"skin\" = 0.1"},
+      {"plate_height = -0.05", "plate_height = -0.05\nfit_to = 0.2",
+       "81:10: \"fit_to\" = 0.2 must be greater than \"fit_from\" = 0.2"},
+      {"plate_height = -0.05", "plate_height = 0", "79:1: \"max_height\" = 0 must be above \"plate_height\" = 0"},
+  });
+}
+
+TEST(DeckErrors, Phases) {
+  expect_messages({
+      {"min_time = 0.1", "min_time = 3", "66:12: \"min_time\" = 3 is beyond \"max_time\" = 2"},
+      {"remove_walls = [\"gate\"]", "remove_walls = [\"floor\", \"gat\"]",
+       "74:26: unknown wall \"gat\"; the nearest is \"gate\""},
+      {"add_walls = [\"gate\"]\n", "",
+       "73:17: wall \"gate\" is not there when this phase begins and cannot be removed"},
+      {"remove_walls = [\"gate\"]", "remove_walls = [\"gate\", \"gate\"]",
+       "74:25: wall \"gate\" is not there when this phase begins and cannot be removed"},
+      {"add_walls = [\"gate\"]", "add_walls = [\"floor\"]",
+       "68:14: wall \"floor\" is already there when this phase begins; set present = false, or remove it in an earlier "
+       "phase"},
+  });
+}
+
+TEST(DeckErrors, TheFirstByPositionIsReported) {
+  std::string deck = with("restitution = 0.9", "restitution = 9");
+  deck.replace(deck.find("step = 1e-6"), 11, "stop = 1e-6");
+  EXPECT_EQ(message_of(deck), "deck.toml:19:15: \"restitution\" = 9 is out of range; it must be 0 <= x <= 1");
+}
+
+TEST(DeckErrors, Overrides) {
+  struct Bad {
+    const char* set_text;
+    const char* message;
+  };
+  const Bad cases[] = {
+      {"time.step=abc", "\"step\": \"abc\" is not a number; write a time with one of the units s, ms, us, ns"},
+      {"time.step=-1", "\"step\" = -1 is out of range; it must be > 0 (in s)"},
+      {"time.stp=1", "unknown key \"stp\" in [time]; the nearest key is \"step\""},
+      {"tyme.step=1", "unknown key \"tyme\" in the deck; the nearest key is \"time\""},
+      {"measurement.discharg.plugged_share=1",
+       "unknown key \"discharg\" in [measurement]; the nearest key is \"discharge\""},
+      {"time.step.size=1", "\"time.step\" is a value and has no keys"},
+      {"time.step", "write key=value, such as time.step=2e-6"},
+      {"time..step=1", "the key has an empty part"},
+      {"=1", "the key has an empty part"},
+      {"material.glas.density=1", "there is no [[material]] \"glas\"; the nearest is \"glass\""},
+      {"material.2.density=1", "there is no [[material]] \"2\"; the deck has 2, counted from 0"},
+      {"material.glass.densty=1", "unknown key \"densty\" in [[material]]; the nearest key is \"density\""},
+      {"material.density=1", "say which [[material]]: material.0.density=... or material.NAME.density=..."},
+      {"pair.glass-brass.restitution=1", "there is no [[pair]] \"glass-brass\"; the nearest is \"glass-glass\""},
+      {"particles.1.count=1", "there is no [[particles]] \"1\"; the deck has 1, counted from 0"},
+      {"gravity=[0,0", "\"gravity\" must be [x, y, z], not the text \"[0,0\""},
+      {"gravity=[0,0,\"9.81\"]",
+       "\"gravity.2\": \"9.81\" has no unit; write an acceleration with one of the units m/s2, cm/s2, mm/s2"},
+      {"wall.gate.material=stel", "unknown material \"stel\"; the nearest is \"steel\""},
+      {"phase.flow.remove_walls=[\"tube\", \"gat\"]", "unknown wall \"gat\"; the nearest is \"gate\""},
+      {"output=5", "\"output\" is the number 5; it must be the section [output]"},
+      {"guards.max_overlap=1\nstep=2", "\"max_overlap\" must be a number, not the text \"1\nstep=2\""},
+  };
+  for (const Bad& c : cases) {
+    EXPECT_EQ(message_of(example_deck, {c.set_text}), std::string("--set ") + c.set_text + ": " + c.message);
+  }
+}
+
+TEST(DeckErrors, AnOverrideThatOpensASectionOwesItsKeys) {
+  std::string deck = with("[measurement.discharge]\norifice_height = 0\n\n", "");
+  EXPECT_EQ(message_of(deck, {"measurement.discharge.plugged_share=0.1"}),
+            "--set measurement.discharge.plugged_share=0.1: [measurement.discharge] lacks \"orifice_height\" (z of the "
+            "orifice; particles with their centre below it are discharged)");
+}
+
+}  // namespace
+}  // namespace repose

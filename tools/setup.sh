@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# What run-example.sh and run-tests.sh share; they source this file. The terminal gets one line per stage, the noise goes
-# to one log under build/.
+# What run-example.sh and run-tests.sh share; they source this file. The terminal gets one line per stage, the noise
+# goes to one log under build/.
 
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

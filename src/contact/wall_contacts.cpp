@@ -72,19 +72,19 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
   }
 }
 
-/// The history of a touch: that of the same feature before, or of a neighbouring feature of the wall that is touched no
-/// more, or of a touch of another wall that this one now stands for.
+/// The history of a touch: that of the same feature before, or of a touch that this one now stands for, or of a
+/// neighbouring feature of the wall that is touched no more.
 ContactHistory WallContacts::inherited(std::span<const WallContact> before, std::span<const Wall> walls,
                                        const TouchBuffer& touches, int touch) const {
   const WallTouch& t = touches[touch];
   if (const WallContact* same = find(before, t.wall, t.feature)) return same->history;
-  for (const WallContact& c : before) {
-    if (c.wall != t.wall || is_touched(touches, c.wall, c.feature)) continue;
-    if (adjacent_features(walls[static_cast<std::size_t>(t.wall)], c.feature, t.feature)) return c.history;
-  }
   for (const WallTouch& other : touches.touches()) {
     if (other.superseded_by != touch) continue;
     if (const WallContact* handed = find(before, other.wall, other.feature)) return handed->history;
+  }
+  for (const WallContact& c : before) {
+    if (c.wall != t.wall || is_touched(touches, c.wall, c.feature)) continue;
+    if (adjacent_features(walls[static_cast<std::size_t>(t.wall)], c.feature, t.feature)) return c.history;
   }
   return {};
 }

@@ -53,7 +53,9 @@ TEST(Determinism, SameBitsOnAllRanksAsOnOne) {
   const Outcome together = run(world, deck);
   EXPECT_GT(together.left, 20);                // the gate has opened and grains have left
   EXPECT_GT(together.counters.rebuilds, 20);
-  if (world.size() > 1) EXPECT_GT(together.counters.bisections, 2);
+  if (world.size() > 1) {
+    EXPECT_GT(together.counters.bisections, 2);
+  }
   if (world.is_root()) {
     const Outcome alone = run(self, deck);
     EXPECT_EQ(together.hashes, alone.hashes);
@@ -89,7 +91,9 @@ TEST(Determinism, MoreRanksThanParticles) {
   deck.particles[0].mass = std::numeric_limits<double>::quiet_NaN();
   deck.particles[0].count = 3;
   const Outcome together = run(world, deck);
-  if (world.is_root()) EXPECT_EQ(together.hashes, run(self, deck).hashes);
+  if (world.is_root()) {
+    EXPECT_EQ(together.hashes, run(self, deck).hashes);
+  }
   world.barrier();
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Runs a writer of sample snapshots (tests/unit/output_snapshot_writer.cpp) and reads its files with h5py and with VTK's
-reader, which is ParaView's: read_snapshot.py COMMAND ... (the command gets a folder as its last argument)."""
+"""Runs a writer of sample snapshots (tests/unit/output_snapshot_writer.cpp) and reads its files with h5py and with
+VTK's reader, which is ParaView's: read_snapshot.py COMMAND ... (the command gets a folder as its last argument)."""
 
 import os
 import subprocess
@@ -13,6 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOHDF import vtkHDFReader
 
 VTK_VERTEX = 1
+TOTALS = (0, 1, 100, 300000)  # particles; the last has arrays of several chunks
 
 
 def expected_arrays(total):
@@ -92,9 +93,9 @@ def check_with_vtk(path, total):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run(sys.argv[1:] + [folder], check=True)
-        if sorted(os.listdir(folder)) != sorted(f"{total}.hdf" for total in (0, 1, 100, 40000)):
+        if sorted(os.listdir(folder)) != sorted(f"{total}.hdf" for total in TOTALS):
             sys.exit(f"unexpected files: {os.listdir(folder)}")
-        for total in (0, 1, 100, 40000):
+        for total in TOTALS:
             path = os.path.join(folder, f"{total}.hdf")
             check_with_h5py(path, total)
             check_with_vtk(path, total)

@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const std::string folder = argv[1];
   try {
-    for (const std::int64_t total : {0, 1, 100, 40000}) {
+    for (const std::int64_t total : {0, 1, 100, 300000}) {
       const auto table = repose::sample_table(comm, total, repose::Blocks::none_on_first);
       repose::write_snapshot(comm, folder + "/" + std::to_string(total) + ".hdf", table, repose::sample_header(total));
     }

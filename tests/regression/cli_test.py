@@ -1,0 +1,126 @@
+"""The command line from outside: exit codes, messages, files, and the same bits however it is run.
+
+Usage: cli_test.py EXECUTABLE MPIEXEC SOURCE_DIR
+"""
+
+import json
+import os
+import sys
+import tempfile
+import unittest
+
+from repose_runs import Program, read_series
+
+SMALL = ("particles.0.mass=0.05 g", "particles.0.height=20 mm", "phase.settle.max_time=0.03", "phase.settle.min_time=0.01",
+         "phase.discharge.max_time=0.08", "phase.discharge.min_time=0.01")
+
+
+class CommandLine(unittest.TestCase):
+    program = None
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.quick = self.program.deck("discharge_quick.toml")
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def fails(self, code, pattern, *arguments, ranks=0):
+        done = self.program.call(*arguments, ranks=ranks)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertRegex(done.stderr, pattern)
+        spoken = [line for line in done.stderr.splitlines() if line.startswith("repose:")]
+        self.assertEqual(len(spoken), 1, done.stderr)
+
+    def test_version_names_the_build(self):
+        done = self.program.call("--version")
+        self.assertEqual(done.returncode, 0)
+        for word in ("repose", "commit", "MPI", "HDF5", "vector"):
+            self.assertIn(word.lower(), done.stdout.lower())
+
+    def test_keys_lists_every_section(self):
+        done = self.program.call("keys")
+        self.assertEqual(done.returncode, 0)
+        for key in ("youngs_modulus", "restitution", "max_overlap", "orifice_height", "azimuths", "remove_walls"):
+            self.assertIn(key, done.stdout)
+
+    def test_check_resolves_without_running(self):
+        done = self.program.call("check", self.program.deck("carbohsp_mono.toml"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("156044", done.stdout)
+        self.assertIn("criterion", done.stdout)
+
+    def test_wrong_command_line_is_2(self):
+        self.fails(2, "output", "run", self.quick)
+        self.fails(2, "frobnicate", "frobnicate")
+
+    def test_wrong_deck_is_2_and_leaves_nothing(self):
+        output = self.path("out")
+        self.fails(2, "--set phase.settel.max_time", "run", self.quick, "--output", output, "--set",
+                   "phase.settel.max_time=1")
+        with open(self.path("bad.toml"), "w") as file:
+            file.write(open(self.quick).read().replace("density = 3592.0", "densty = 3592.0"))
+        self.fails(2, r"bad\.toml:\d+:\d+: .*densty.*density", "run", self.path("bad.toml"), "--output", output)
+        self.assertFalse(os.path.exists(output))
+
+    def test_too_long_time_step_is_2_and_names_the_limit(self):
+        self.fails(2, "Rayleigh time", "check", self.quick, "--set", "time.step=1e-5")
+
+    def test_missing_files_are_4(self):
+        self.fails(4, "no_such.toml", "run", self.path("no_such.toml"), "--output", self.path("out"))
+        self.fails(4, "summary|file|directory", "run", self.quick, "--output", self.quick)
+
+    def test_broken_physics_is_3_on_all_ranks(self):
+        for ranks in (0, 2):
+            self.fails(3, "step .*overlap.*max_overlap", "run", self.quick, "--output", self.path("out"), "--set",
+                       "guards.max_overlap=0.01", ranks=ranks)
+        self.assertFalse(os.path.exists(self.path("out/summary.json")))
+
+    def test_same_bits_on_ranks_levels_and_without_fma(self):
+        alone = self.program.run(self.quick, self.path("1"), *SMALL)
+        self.assertEqual(alone["status"], "done")
+        self.assertEqual(alone["particles"]["inserted"], alone["particles"]["inside"] + alone["particles"]["left"])
+        self.assertGreater(alone["discharged_mass_kg"], 0.0)
+        for ranks in (1, 3):
+            self.assertEqual(self.program.run(self.quick, self.path("n"), *SMALL, ranks=ranks)["state_hash"],
+                             alone["state_hash"])
+            self.assertEqual(read_series(self.path("n")), read_series(self.path("1")))
+        plain = self.program.run(self.quick, self.path("sse2"), *SMALL, options=("--vector-level", "sse2"))
+        self.assertEqual(plain["state_hash"], alone["state_hash"])
+        # glibc chooses its FMA and AVX2 variants when it loads; without them its bits differ, ours must not.
+        tunables = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-FMA_Usable,-AVX2_Usable"
+        without = self.program.run(self.quick, self.path("fma"), *SMALL, env={"GLIBC_TUNABLES": tunables})
+        self.assertEqual(without["state_hash"], alone["state_hash"])
+        other = self.program.run(self.quick, self.path("seed"), *SMALL, "run.seed=2")
+        self.assertNotEqual(other["state_hash"], alone["state_hash"])
+
+    def test_example_makes_a_pile_with_an_angle(self):
+        output = self.path("quick")
+        s = self.program.run(self.quick, output, ranks=2)
+        self.assertEqual([p["name"] for p in s["phases"]], ["settle", "discharge"])
+        self.assertFalse(s["plugged"])
+        self.assertAlmostEqual(s["discharged_mass_kg"] + s["retained_mass_kg"], 0.4e-3, delta=2e-7)
+        self.assertGreater(s["angle_of_repose_deg"], 15.0)
+        self.assertLess(s["angle_of_repose_deg"], 40.0)
+        mean = 0.5 * (s["angle_of_repose_left_deg"] + s["angle_of_repose_right_deg"])
+        self.assertAlmostEqual(s["angle_of_repose_deg"], mean, places=9)
+        for name in ("silhouette.png", "run.hdf.series", "deck.resolved.toml"):
+            self.assertTrue(os.path.getsize(os.path.join(output, name)) > 0, name)
+        series = json.load(open(os.path.join(output, "run.hdf.series")))
+        for file in series["files"]:
+            self.assertTrue(os.path.exists(os.path.join(output, file["name"])))
+        rows = read_series(output)
+        discharged = [row["discharged_mass_kg"] for row in rows]
+        self.assertAlmostEqual(discharged[-1], s["discharged_mass_kg"], delta=1e-12)
+        self.assertFalse([f for f in os.listdir(output) if f.endswith(".partial")])
+
+    def test_resolved_deck_runs_to_the_same_state(self):
+        first = self.program.run(self.quick, self.path("a"), *SMALL)
+        again = self.program.run(self.path("a/deck.resolved.toml"), self.path("b"))
+        self.assertEqual(first["state_hash"], again["state_hash"])
+
+
+if __name__ == "__main__":
+    CommandLine.program = Program(*sys.argv[1:4])
+    unittest.main(argv=sys.argv[:1], verbosity=2)

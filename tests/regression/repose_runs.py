@@ -1,0 +1,42 @@
+"""Runs the program and reads what it wrote; shared by the regression tests."""
+
+import csv
+import json
+import os
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+
+
+class Program:
+    def __init__(self, executable, mpiexec, source):
+        self.executable, self.mpiexec, self.source = executable, mpiexec, source
+
+    def deck(self, name):
+        return os.path.join(self.source, "input", name)
+
+    def call(self, *arguments, ranks=0, env=None, timeout=5000):
+        """The finished process; ranks = 0 runs it without mpirun."""
+        launcher = [self.mpiexec, "-n", str(ranks)] if ranks else []
+        return subprocess.run(
+            [*launcher, self.executable, *arguments],
+            capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=timeout, env={**os.environ, **(env or {})})
+
+    def run(self, deck, output, *overrides, ranks=0, options=(), env=None):
+        """The summary of a run that must succeed."""
+        arguments = ["run", deck, "--output", output, *options]
+        for override in overrides:
+            arguments += ["--set", override]
+        done = self.call(*arguments, ranks=ranks, env=env)
+        assert done.returncode == 0, f"exit {done.returncode}: {done.stderr}"
+        with open(os.path.join(output, "summary.json")) as file:
+            return json.load(file)
+
+    def run_all(self, runs):
+        """Several (deck, output, overrides...) at a time, one rank each, as many as there are cores."""
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            return list(pool.map(lambda r: self.run(*r), runs))
+
+
+def read_series(output):
+    with open(os.path.join(output, "series.csv")) as file:
+        return [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Disassembles the pair loop and checks that the compiler has vectorised it for AVX2 and AVX-512, and fused nothing.
+
+contact_vectorised.py LIBRARY: the static library or object file that holds it. Exit code 77: cannot be told here.
+"""
+import platform
+import re
+import shutil
+import subprocess
+import sys
+
+# Per function the registers that its square roots and divisions must use; two lanes of SSE2 are the compiler's choice.
+LEVELS = {"evaluate_sse2": None, "evaluate_avx2": "ymm", "evaluate_avx512": "[yz]mm"}
+SKIP = 77
+
+
+def functions(disassembly):
+    """Instructions of every function, by its (mangled) name."""
+    found, lines = {}, None
+    for line in disassembly.splitlines():
+        head = re.match(r"[0-9a-f]+ <(.+)>:$", line)
+        if head:
+            lines = found.setdefault(head[1], [])
+        elif lines is not None and line.startswith(" "):
+            lines.append(line.split("\t", 1)[-1])
+    return found
+
+
+def problems(level, instructions):
+    register = LEVELS[level]
+    text = "\n".join(instructions)
+    for operation in ("sqrt", "div") if register else ():
+        if not re.search(rf"^v{operation}pd\s.*%{register}\d", text, re.MULTILINE):
+            yield f"{level} has no packed {operation}pd on {register} registers"
+        scalar = re.findall(rf"^v{operation}sd\s.*", text, re.MULTILINE)
+        if scalar:
+            yield f"{level} has {len(scalar)} scalar instructions {operation}sd"
+    fused = re.findall(r"^vf(?:n?m)(?:add|sub)\w*", text, re.MULTILINE)
+    if fused:
+        yield f"{level} has {len(fused)} fused multiply-adds, which change the bits"
+
+
+def main():
+    if platform.machine() not in ("x86_64", "AMD64"):
+        print(f"skipped: no x86-64 instructions on {platform.machine()}")
+        return SKIP
+    objdump = shutil.which("objdump")
+    if objdump is None:
+        print("skipped: objdump (package binutils) is missing")
+        return SKIP
+    run = subprocess.run([objdump, "-d", "--no-show-raw-insn", sys.argv[1]], check=True, capture_output=True, text=True)
+    found = functions(run.stdout)
+    failures = []
+    for level in LEVELS:
+        bodies = [body for name, body in found.items() if level in name and not name.endswith(".cold")]
+        if len(bodies) != 1:
+            failures.append(f"{level} was found {len(bodies)} times in {sys.argv[1]}")
+        for body in bodies:
+            failures.extend(problems(level, body))
+            print(f"{level}: {len(body)} instructions")
+    for failure in failures:
+        print(failure)
+    return 1 if failures else 0
+
+
+sys.exit(main())

@@ -1,0 +1,175 @@
+// Contacts of particles with walls: forces, histories, removal, alarms.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "contact/contact_law.h"
+#include "contact/wall_contacts.h"
+#include "domain/exits.h"
+#include "integration/velocity_verlet.h"
+#include "scene/sphere.h"
+#include "support/scenes.h"
+
+namespace repose::test {
+namespace {
+
+constexpr double radius = 0.5e-3;
+constexpr double dt = 1e-6;
+constexpr double max_overlap = 0.3;
+
+struct Setting {
+  MaterialTable materials{bare_deck({}, dt)};
+  std::vector<Wall> walls;
+  Particles particles;
+  WallContacts contacts;
+
+  void add_wall(const Vec3& point, const Vec3& normal) {
+    WallDeck deck = floor_at(0.0);
+    deck.point = point;
+    deck.normal = normal;
+    walls.push_back(make_wall(deck, 1));
+  }
+  void add_grain(const Vec3& position, const Vec3& velocity, const Vec3& spin) {
+    particles.record.push_back({position, radius, velocity, 0.0, spin, 0.0});
+    particles.id.push_back(static_cast<std::int64_t>(particles.owned++));
+    particles.material.push_back(0);
+    particles.sum.assign(particles.owned, ForceSum{});
+    set_fixed_point_scales(materials, max_overlap, particles);
+  }
+  void build(const Csr<WallMemory>& memory) {
+    contacts.build(particles, walls, std::vector<double>(particles.owned, 1.3 * radius), memory);
+  }
+  void build() { build(Csr<WallMemory>::group(particles.owned, {})); }
+  WallAlarms evaluate() {
+    std::fill(particles.sum.begin(), particles.sum.end(), ForceSum{});
+    return contacts.evaluate(walls, materials, dt, max_overlap, particles);
+  }
+  Vec3 force(std::size_t i) const {
+    const std::int64_t* sum = particles.sum[i].force;
+    const double unit = 1.0 / particles.record[i].force_scale;
+    return unit * Vec3{static_cast<double>(sum[0]), static_cast<double>(sum[1]), static_cast<double>(sum[2])};
+  }
+  Vec3 torque(std::size_t i) const {
+    const std::int64_t* sum = particles.sum[i].torque;
+    const double unit = 1.0 / particles.record[i].torque_scale;
+    return unit * Vec3{static_cast<double>(sum[0]), static_cast<double>(sum[1]), static_cast<double>(sum[2])};
+  }
+};
+
+Setting grain_on_floor() {
+  Setting setting;
+  setting.add_wall({}, {0.0, 0.0, 1.0});
+  setting.add_grain({0.0, 0.0, 0.99 * radius}, {0.002, 0.0, -0.003}, {0.0, 5.0, 0.0});
+  return setting;
+}
+
+TEST(WallContacts, ForceAndTorqueByHand) {
+  Setting s = grain_on_floor();
+  s.build();
+  EXPECT_FALSE(s.evaluate().any());
+  ASSERT_EQ(s.contacts.contacts().size(), 1U);
+
+  const PairParameters& pair = s.materials.pair(0, 1);
+  ContactGeometry contact = {};
+  contact.normal = {0.0, 0.0, 1.0};
+  contact.overlap = 0.01 * radius;
+  contact.radius_eff = radius;
+  contact.mass_eff = sphere_mass(radius, 3592.0);
+  contact.normal_velocity = -0.003;
+  const double arm = 0.995 * radius;
+  contact.tangential_velocity = {0.002 - arm * 5.0, 0.0, 0.0};  // v - w x (arm n): backwards where the grain rolls ahead
+  contact.rolling_velocity = {0.0, 5.0 * arm / (0.99 * radius), 0.0};
+  ContactHistory history;
+  const ContactForces forces = contact_law(pair, contact, dt, history);
+  // Rounding of the overlap, 1e-19 m of 5e-6 m, and of the fixed point: below 1e-12 of the forces.
+  EXPECT_NEAR(s.force(0).z, forces.force.z, 1e-12 * forces.force.z);
+  EXPECT_NEAR(s.force(0).x, forces.force.x, 1e-12 * forces.force.z);
+  EXPECT_GT(forces.force.x, 0.0);
+  EXPECT_NEAR(s.torque(0).y, -arm * forces.friction_arm.y - history.rolling.y, 1e-12 * radius * forces.force.z);
+  EXPECT_LT(s.torque(0).y, 0.0);  // friction that pushes the grain ahead slows its spin
+  EXPECT_NEAR(s.contacts.contacts()[0].overlap, 0.01 * radius, 1e-15);
+}
+
+TEST(WallContacts, HistoriesGrowAndSurviveARebuild) {
+  Setting once = grain_on_floor();
+  once.build();
+  for (int k = 0; k < 5; ++k) once.evaluate();
+  Setting rebuilt = grain_on_floor();
+  rebuilt.build();
+  for (int k = 0; k < 5; ++k) {
+    rebuilt.evaluate();
+    rebuilt.build(rebuilt.contacts.memory(1));
+  }
+  rebuilt.evaluate();
+  once.evaluate();
+  EXPECT_EQ(rebuilt.contacts.contacts()[0].history.spring, once.contacts.contacts()[0].history.spring);
+  EXPECT_EQ(rebuilt.contacts.contacts()[0].history.rolling, once.contacts.contacts()[0].history.rolling);
+  EXPECT_NEAR(once.contacts.contacts()[0].history.spring.x, 6.0 * dt * (0.002 - 0.995 * radius * 5.0), 1e-22);
+}
+
+TEST(WallContacts, PartingForgets) {
+  Setting s = grain_on_floor();
+  s.build();
+  s.evaluate();
+  const ContactHistory first = s.contacts.contacts()[0].history;
+  s.particles.record[0].position.z = 1.001 * radius;
+  s.evaluate();
+  EXPECT_TRUE(s.contacts.contacts().empty());
+  s.particles.record[0].position.z = 0.99 * radius;
+  s.evaluate();
+  EXPECT_EQ(s.contacts.contacts()[0].history.spring, first.spring);
+}
+
+TEST(WallContacts, AnAbsentWallIsNotFeltUntilItIsAdded) {
+  Setting s = grain_on_floor();
+  s.walls[0].present = false;
+  s.build();
+  s.evaluate();
+  EXPECT_TRUE(s.contacts.contacts().empty());
+  EXPECT_EQ(s.force(0), Vec3{});
+  s.walls[0].present = true;
+  s.evaluate();
+  EXPECT_EQ(s.contacts.contacts().size(), 1U);
+  EXPECT_GT(s.force(0).z, 0.0);
+}
+
+TEST(WallContacts, ACornerOfTwoPlanesIsTouchedTwice) {
+  Setting s = grain_on_floor();
+  s.add_wall({-0.99 * radius, 0.0, 0.0}, {1.0, 0.0, 0.0});
+  s.build();
+  EXPECT_FALSE(s.evaluate().any());
+  EXPECT_EQ(s.contacts.contacts().size(), 2U);
+  EXPECT_GT(s.force(0).x, 0.0);
+  EXPECT_GT(s.force(0).z, 0.0);
+}
+
+TEST(WallContacts, AlarmsForDeepOverlapAndNan) {
+  Setting s = grain_on_floor();
+  s.particles.record[0].position.z = 0.71 * radius;
+  s.build();
+  EXPECT_FALSE(s.evaluate().any());
+  s.particles.record[0].position.z = 0.69 * radius;
+  EXPECT_EQ(s.evaluate().too_deep, 1);
+  s.particles.record[0].position.z = 0.99 * radius;
+  s.particles.record[0].spin.x = std::nan("");
+  EXPECT_EQ(s.evaluate().out_of_range, 1);
+}
+
+// A parked particle is out of every contact at once, also out of those with infinite planes, which reach that far.
+TEST(WallContacts, AParkedParticleTouchesNoPlane) {
+  for (const Vec3& normal : {Vec3{0.0, 0.0, 1.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.6, 0.8}}) {
+    Setting s;
+    s.add_wall({}, normal);
+    s.add_grain(0.99 * radius * normal, {}, {});
+    s.build();
+    s.evaluate();
+    ASSERT_EQ(s.contacts.contacts().size(), 1U);
+    ExitCount left;
+    retire_leavers({{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}}, s.materials, MassUnit(1.0), s.particles, left);
+    EXPECT_FALSE(s.evaluate().any());
+    EXPECT_TRUE(s.contacts.contacts().empty());
+  }
+}
+
+}  // namespace
+}  // namespace repose::test

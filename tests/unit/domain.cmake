@@ -1,0 +1,1 @@
+repose_test(unit_domain LABEL unit SOURCES domain_exits_test.cpp LINK repose_test_scenes)

@@ -1,0 +1,259 @@
+// Neighbour lists against brute force, and the histories they carry.
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "neighbours/cell_grid.h"
+#include "neighbours_samples.h"
+
+namespace repose::test {
+namespace {
+
+constexpr SkinRule outer = {0.3, 8e-5};
+constexpr SkinRule inner = {0.02, 8e-6};
+
+Csr<PairMemory> nothing(std::size_t owned) { return Csr<PairMemory>::group(owned, {}); }
+
+std::vector<CloudOptions> clouds() {
+  CloudOptions sparse{.count = 300, .box = 0.1};
+  CloudOptions dense{.count = 600, .box = 0.02};
+  CloudOptions mixed{.count = 900, .smallest = 2e-4, .largest = 2e-3, .box = 0.02};
+  CloudOptions fast{.count = 600, .smallest = 2e-4, .largest = 2e-3, .box = 0.04, .fast_share = 0.05};
+  CloudOptions single{.count = 1};
+  CloudOptions none{.count = 0};
+  return {sparse, dense, mixed, fast, single, none};
+}
+
+TEST(CellGrid, FindsEverythingNearExactlyOnce) {
+  for (const CloudOptions& options : clouds()) {
+    const Particles p = random_cloud(21, options);
+    const CellGrid grid(std::span(p.record).first(p.total()), 1e-3);
+    Draw draw(22);
+    for (int trial = 0; trial < 50; ++trial) {
+      const Vec3 outside = draw.vector(0.7 * options.box);
+      const bool inside = trial % 2 == 0 && p.total() > 0;
+      const Vec3 centre = inside ? p.record[draw.below(p.total())].position : outside;
+      const double radius = draw(0.0, 0.01);
+      std::multiset<std::size_t> seen;
+      grid.for_each_near(centre, radius, [&](std::size_t i) { seen.insert(i); });
+      for (const std::size_t i : seen) EXPECT_EQ(seen.count(i), 1U);
+      for (std::size_t i = 0; i < p.total(); ++i) {
+        const Vec3 d = p.record[i].position - centre;
+        const double farthest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+        if (farthest <= radius) {
+          EXPECT_EQ(seen.count(i), 1U);
+        }
+        if (inside && farthest > radius + 1.001e-3) {  // from outside the border cells may be visited in vain
+          EXPECT_EQ(seen.count(i), 0U);
+        }
+      }
+    }
+  }
+}
+
+TEST(CellGrid, HoldsParticlesFarBeyondItsCells) {
+  Particles p = random_cloud(23, {.count = 3});
+  p.record[1].position = {1e9, 0.0, -1e9};
+  p.record[2].position = {1e9, 0.0, -1e9};
+  const CellGrid grid(std::span(p.record).first(3), 1e-3);
+  for (std::size_t wanted = 0; wanted < 3; ++wanted) {
+    int found = 0;
+    grid.for_each_near(p.record[wanted].position, 1e-3, [&](std::size_t i) { found += i == wanted ? 1 : 0; });
+    EXPECT_EQ(found, 1);
+  }
+}
+
+TEST(PairLists, OuterListHoldsEachPairOnce) {
+  for (const CloudOptions& options : clouds()) {
+    for (std::uint64_t seed = 31; seed < 34; ++seed) {
+      const Particles p = random_cloud(seed, options);
+      PairLists lists;
+      lists.build(p, reaches(p, outer), nothing(p.owned));
+      const PairCount expected = brute_force(p, outer);
+      EXPECT_EQ(outer_pairs(p, lists), expected);
+      EXPECT_EQ(lists.listed(), expected.size());
+      EXPECT_EQ(lists.lanes(), 0U);
+    }
+  }
+}
+
+TEST(PairLists, InnerListHoldsEachNearPairOnce) {
+  for (const CloudOptions& options : clouds()) {
+    const Particles p = random_cloud(35, options);
+    PairLists lists;
+    lists.build(p, reaches(p, outer), nothing(p.owned));
+    lists.select_near(p, inner);
+    EXPECT_EQ(inner_pairs(p, lists), brute_force(p, inner));
+    lists.select_near(p, outer);
+    EXPECT_EQ(inner_pairs(p, lists), brute_force(p, outer));
+    lists.select_near(p, inner);
+    EXPECT_EQ(inner_pairs(p, lists), brute_force(p, inner));
+  }
+}
+
+TEST(PairLists, TheSamplesHavePairs) {
+  const Particles dense = random_cloud(31, clouds()[1]);
+  EXPECT_GT(brute_force(dense, outer).size(), 1000U);
+  EXPECT_LT(brute_force(dense, inner).size(), 0.8 * static_cast<double>(brute_force(dense, outer).size()));
+  const Particles fast = random_cloud(31, clouds()[3]);
+  EXPECT_GT(2 * brute_force(fast, outer).size(), 3 * brute_force(fast, {outer.share, 0.0}).size());
+}
+
+TEST(PairLists, GroupsShareMaterialsAndKeepTheGhostsApart) {
+  const Particles p = random_cloud(36, clouds()[2]);
+  PairLists lists;
+  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.select_near(p, inner);
+  EXPECT_EQ(lists.groups().size(), 8U);  // two materials in either place, interior or not
+  for (const PairGroup& group : lists.groups()) {
+    for (const PairGroup::Pair& pair : group.pairs) {
+      const auto first = static_cast<std::size_t>(pair.first);
+      const auto second = static_cast<std::size_t>(pair.second);
+      EXPECT_LT(p.id[first], p.id[second]);
+      EXPECT_EQ(p.material[first], group.material_first);
+      EXPECT_EQ(p.material[second], group.material_second);
+      EXPECT_EQ(group.interior, first < p.owned && second < p.owned);
+    }
+  }
+}
+
+TEST(PairLists, UnusedLanesNameTheDummies) {
+  const Particles p = random_cloud(37, clouds()[1]);
+  PairLists lists;
+  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.select_near(p, inner);
+  for (const PairGroup& group : lists.groups()) {
+    ASSERT_EQ(group.blocks.size(), (group.lanes + block_lanes - 1) / block_lanes);
+    for (std::size_t lane = group.lanes; lane < block_lanes * group.blocks.size(); ++lane) {
+      const ContactBlock& block = group.blocks[lane / block_lanes];
+      EXPECT_EQ(block.first[lane % block_lanes], static_cast<std::int32_t>(p.total()));
+      EXPECT_EQ(block.second[lane % block_lanes], static_cast<std::int32_t>(p.total() + 1));
+      EXPECT_TRUE(is_blank(lane_history(group, lane)));
+    }
+  }
+}
+
+/// A history that tells of which pair it is.
+ContactHistory tagged(const IdPair& pair) {
+  const auto a = static_cast<double>(pair.first + 1);
+  const auto b = static_cast<double>(pair.second + 1);
+  return {{1e-9 * a, -1e-9 * b, 1e-12}, {a, 0.0, b}};
+}
+
+bool same(const ContactHistory& a, const ContactHistory& b) {
+  return a.spring == b.spring && a.rolling == b.rolling;
+}
+
+void give_histories(const Particles& p, PairLists& lists) {
+  for (PairGroup& group : lists.groups()) {
+    for (std::size_t lane = 0; lane < group.lanes; ++lane) {
+      ContactBlock& block = group.blocks[lane / block_lanes];
+      const std::size_t k = lane % block_lanes;
+      const ContactHistory h = tagged(ids(p, block.first[k], block.second[k]));
+      block.spring[0][k] = h.spring.x;
+      block.spring[1][k] = h.spring.y;
+      block.spring[2][k] = h.spring.z;
+      block.rolling[0][k] = h.rolling.x;
+      block.rolling[1][k] = h.rolling.y;
+      block.rolling[2][k] = h.rolling.z;
+    }
+  }
+}
+
+/// Lanes of the inner lists that remember what tagged() says.
+std::size_t faithful_lanes(const Particles& p, const PairLists& lists) {
+  std::size_t count = 0;
+  for (const PairGroup& group : lists.groups()) {
+    for (std::size_t lane = 0; lane < group.lanes; ++lane) {
+      const ContactBlock& block = group.blocks[lane / block_lanes];
+      const IdPair pair = ids(p, block.first[lane % block_lanes], block.second[lane % block_lanes]);
+      count += same(lane_history(group, lane), tagged(pair)) ? 1U : 0U;
+    }
+  }
+  return count;
+}
+
+TEST(PairLists, HistoriesSurviveANewSelection) {
+  const Particles p = random_cloud(41, clouds()[2]);
+  PairLists lists;
+  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.select_near(p, inner);
+  give_histories(p, lists);
+  const std::size_t touching = lists.lanes();
+  ASSERT_GT(touching, 200U);
+  lists.select_near(p, outer);  // many more pairs, which remember nothing
+  EXPECT_GT(lists.lanes(), touching);
+  EXPECT_EQ(faithful_lanes(p, lists), touching);
+  lists.select_near(p, inner);
+  EXPECT_EQ(lists.lanes(), touching);
+  EXPECT_EQ(faithful_lanes(p, lists), touching);
+}
+
+TEST(PairLists, HistoriesSurviveARebuildInAnotherOrder) {
+  Particles p = random_cloud(42, clouds()[2]);
+  PairLists lists;
+  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.select_near(p, inner);
+  give_histories(p, lists);
+  const std::size_t touching = lists.lanes();
+
+  std::vector<std::size_t> order(p.owned);
+  for (std::size_t i = 0; i < p.owned; ++i) order[i] = (i * 7 + 3) % p.owned;  // 600 owned: 7 is coprime
+  const Csr<PairMemory> memory = lists.memory(p).reordered(order);
+  Particles shuffled = p;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    shuffled.record[i] = p.record[order[i]];
+    shuffled.id[i] = p.id[order[i]];
+    shuffled.material[i] = p.material[order[i]];
+  }
+  PairLists again;
+  again.build(shuffled, reaches(shuffled, outer), memory);
+  EXPECT_EQ(again.lanes(), touching);  // those that remember, before any selection
+  EXPECT_EQ(faithful_lanes(shuffled, again), touching);
+  again.select_near(shuffled, inner);
+  EXPECT_EQ(inner_pairs(shuffled, again), brute_force(p, inner));
+  EXPECT_EQ(faithful_lanes(shuffled, again), touching);
+}
+
+TEST(PairLists, MemoryGoesToEveryOwnedPartner) {
+  const Particles p = random_cloud(43, clouds()[1]);
+  PairLists lists;
+  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.select_near(p, inner);
+  give_histories(p, lists);
+  const Csr<PairMemory> memory = lists.memory(p);
+  ASSERT_EQ(memory.rows(), p.owned);
+  PairCount remembered;
+  for (std::size_t i = 0; i < p.owned; ++i) {
+    for (const PairMemory& m : memory.row(i)) {
+      const IdPair pair = std::minmax(p.id[i], m.partner);
+      EXPECT_TRUE(same(m.history, tagged(pair)));
+      ++remembered[pair];
+    }
+  }
+  std::set<std::int64_t> owned(p.id.begin(), p.id.begin() + static_cast<std::ptrdiff_t>(p.owned));
+  PairCount expected = brute_force(p, inner);
+  for (auto& [pair, count] : expected) count = owned.contains(pair.first) && owned.contains(pair.second) ? 2 : 1;
+  EXPECT_EQ(remembered, expected);
+}
+
+TEST(PairLists, BlankHistoriesAreNotRemembered) {
+  const Particles p = random_cloud(44, clouds()[1]);
+  PairLists lists;
+  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.select_near(p, inner);
+  EXPECT_TRUE(lists.memory(p).items.empty());
+}
+
+TEST(PairLists, CostCountsEachPairOnce) {
+  const Particles p = random_cloud(45, clouds()[1]);
+  PairLists lists;
+  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.select_near(p, inner);
+  std::int64_t total = 0;
+  for (const std::int64_t pairs : lists.pairs_of_owned(p)) total += pairs;
+  EXPECT_EQ(total, static_cast<std::int64_t>(lists.lanes()));
+}
+
+}  // namespace
+}  // namespace repose::test

@@ -1,9 +1,9 @@
 #include "check.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
+
+#include <fmt/format.h>
 
 #include "integration/time_step.h"
 #include "output/progress.h"
@@ -14,9 +14,9 @@
 namespace repose {
 namespace {
 
-// Rough figures for the estimates, rounded from the measurements in docs/performance.md.
+// Rough figures for the estimates: what the quick and the mini discharge took on one core of 2021.
 constexpr double bytes_per_particle = 1000.0;
-constexpr double bytes_per_rank = 60e6;                   // the program and its libraries
+constexpr double bytes_per_rank = 60e6;  // the program and its libraries
 constexpr double particle_steps_per_second_and_rank = 8e6;
 
 }  // namespace
@@ -24,8 +24,8 @@ constexpr double particle_steps_per_second_and_rank = 8e6;
 std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks) {
   const MaterialTable materials(deck);
   const NewParticles particles = insert_particles(deck, make_walls(deck, materials), read_file);
-  const TimeStep dt = choose_time_step(deck, materials, smallest_radii(particles, materials.size()),
-                                       expected_speed(deck, highest_particle(particles)));
+  const TimeStep dt =
+      choose_time_step(deck, materials, smallest_radii(particles, materials.size()), expected_speed(deck, particles));
   const double count = static_cast<double>(particles.size());
   double mass = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -42,8 +42,8 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   for (const PhaseDeck& phase : deck.phases) {
     const auto longest = static_cast<double>(longest_steps(phase, dt.step));
     const bool open_end = phase.until == PhaseUntil::kinetic_energy;
-    report += fmt::format("phase       {}: {}{:.0f} steps ({:.4g} s)\n", phase.name, open_end ? "at most " : "", longest,
-                          longest * dt.step);
+    report += fmt::format("phase       {}: {}{:.0f} steps ({:.4g} s)\n", phase.name, open_end ? "at most " : "",
+                          longest, longest * dt.step);
     steps += longest;
   }
   report += fmt::format("steps       {:.0f}\n", steps);

@@ -1,20 +1,22 @@
 #include "guards.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace repose {
 namespace {
 
-constexpr const char* remedy = "shorten time.step, raise youngs_modulus, or look for grains that start inside one another";
+constexpr const char* remedy =
+    "shorten time.step, raise youngs_modulus, or look for grains that start inside one another";
 
 std::string place(const Vec3& x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z); }
 
 std::string too_deep(std::int64_t step, const std::string& what, double share, double bound, const Vec3& where) {
-  return fmt::format("step {}: {} overlap by {:.2f} of the smaller radius at {}, more than guards.max_overlap = {:.2f}; {}",
-                     step, what, share, place(where), bound, remedy);
+  return fmt::format(
+      "step {}: {} overlap by {:.2f} of the smaller radius at {}, more than guards.max_overlap = {:.2f}; {}", step,
+      what, share, place(where), bound, remedy);
 }
 
 }  // namespace
@@ -34,8 +36,7 @@ std::string describe_alarm(const Particles& particles, const PairLists& pairs, c
       const auto j = static_cast<std::size_t>(pair.second);
       const ParticleRecord& a = particles.record[i];
       const ParticleRecord& b = particles.record[j];
-      const double share =
-          (a.radius + b.radius - norm(a.position - b.position)) / std::min(a.radius, b.radius);
+      const double share = (a.radius + b.radius - norm(a.position - b.position)) / std::min(a.radius, b.radius);
       if (share > max_overlap) {
         return too_deep(step, fmt::format("particles {} and {}", particles.id[i], particles.id[j]), share, max_overlap,
                         a.position);
@@ -51,9 +52,10 @@ std::string describe_alarm(const Particles& particles, const PairLists& pairs, c
                       particles.record[i].position);
     }
   }
-  return fmt::format("step {}: a contact force is beyond the range of the fixed-point sums, or a particle touches a wall in "
-                     "more places than can be kept; {}",
-                     step, remedy);
+  return fmt::format(
+      "step {}: a contact force is beyond the range of the fixed-point sums, or a particle touches a wall in "
+      "more places than can be kept; {}",
+      step, remedy);
 }
 
 }  // namespace repose

@@ -1,13 +1,13 @@
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "check.h"
-#include "command_line.h"
 #include "comm/communicator.h"
+#include "command_line.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "run.h"
@@ -31,8 +31,9 @@ std::string closing_lines(const Summary& s, const std::string& directory) {
   const auto number = [](const std::optional<double>& value, double factor) {
     return value ? fmt::format("{:.4g}", factor * *value) : std::string("-");
   };
-  std::string text = fmt::format("{} steps to {:.6g} s in {:.1f} s wall time, {:.3g} million particle-steps/s on {} ranks\n",
-                                 s.steps, s.time_s, s.wall_seconds, 1e-6 * s.particle_steps_per_second, s.ranks);
+  std::string text =
+      fmt::format("{} steps to {:.6g} s in {:.1f} s wall time, {:.3g} million particle-steps/s on {} ranks\n", s.steps,
+                  s.time_s, s.wall_seconds, 1e-6 * s.particle_steps_per_second, s.ranks);
   if (s.discharged_mass_kg) {
     text += fmt::format("discharged {} g, retained {} g{}, in {} s at {} g/s\n", number(s.discharged_mass_kg, 1e3),
                         number(s.retained_mass_kg, 1e3), s.plugged.value_or(false) ? " (plugged)" : "",

@@ -15,8 +15,8 @@ namespace repose {
 /// Collective. All grains on rank 0, in the order of their ids; nothing elsewhere.
 std::vector<Sphere> gather_spheres(const Communicator& comm, const ParticleTable& table);
 
-/// The angle of repose of the pile among `grains` as the deck asks for it, with its picture in `picture` (PNG). Empty, and
-/// no picture, when there is no pile. For rank 0; FileError when the picture cannot be written.
+/// The angle of repose of the pile among `grains` as the deck asks for it, with its picture in `picture` (PNG). Empty,
+/// and no picture, when there is no pile. For rank 0; FileError when the picture cannot be written.
 std::optional<AngleOfRepose> measure_angle_of_repose(const AngleOfReposeDeck& deck, std::span<const Sphere> grains,
                                                      const std::string& picture);
 

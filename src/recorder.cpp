@@ -1,11 +1,12 @@
 #include "recorder.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <numeric>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "measurement/discharged_mass.h"
@@ -53,12 +54,14 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options)
       last_progress_(start_) {
   const Deck& deck = simulation.deck();
   const double dt = simulation.time_step().step;
-  total_steps_ = std::accumulate(
-      deck.phases.begin(), deck.phases.end(), std::int64_t{0},
-      [&](std::int64_t sum, const PhaseDeck& p) { return sum + longest_steps(p, dt); });
+  total_steps_ = std::accumulate(deck.phases.begin(), deck.phases.end(), std::int64_t{0},
+                                 [&](std::int64_t sum, const PhaseDeck& p) { return sum + longest_steps(p, dt); });
   for (const double t : deck.output.snapshot_times) snapshot_steps_.push_back(steps_for(t, dt));
+  const auto opening =
+      std::find_if(deck.phases.begin(), deck.phases.end(), [](const PhaseDeck& p) { return !p.remove_walls.empty(); });
+  opening_phase_ = opening == deck.phases.end() ? deck.phases.front().name : opening->name;
   agree_after_root(simulation.comm(), [&] {
-    std::remove(path("summary.json").c_str());  // one from an earlier run would pass for this one's
+    remove_earlier_results();
     write_text_file(path("deck.resolved.toml"), options_.resolved_deck);
     series_ = std::make_unique<TimeSeries>(path("series.csv"), series_columns);
     if (deck.output.trace) trace_ = std::make_unique<Trace>(path("trace.csv"));
@@ -67,15 +70,34 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options)
   if (deck.output.trace) write_trace(simulation);
 }
 
+/// What an earlier run has left in the same directory would pass for this one's.
+void Recorder::remove_earlier_results() const {
+  for (const char* name : {"summary.json", "silhouette.png", "run.hdf.series", "trace.csv"}) {
+    std::filesystem::remove(path(name));
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(options_.directory)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("run_") && name.ends_with(".hdf")) std::filesystem::remove(entry.path());
+  }
+}
+
 std::int64_t Recorder::inside(const Simulation& simulation) const {
   const auto& left = simulation.left_here().particles;
-  return simulation.inserted() - simulation.comm().sum(std::accumulate(left.begin(), left.end(), std::int64_t{0}));
+  const Particles& particles = simulation.particles();
+  std::array<std::int64_t, 2> count = {0, std::accumulate(left.begin(), left.end(), std::int64_t{0})};
+  for (std::size_t i = 0; i < particles.owned; ++i) count[0] += is_parked(particles.record[i]) ? 0 : 1;
+  simulation.comm().sum_elements(std::span(count.begin(), count.end()));
+  if (count[0] + count[1] != simulation.inserted()) {
+    throw PhysicsError(
+        fmt::format("step {}: {} particles were inserted, but {} are inside and {} have left: some were lost",
+                    simulation.steps(), simulation.inserted(), count[0], count[1]));
+  }
+  return count[0];
 }
 
 void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
-  if (!opened_ && !phase.deck().remove_walls.empty()) {
+  if (!opened_ && phase.deck().name == opening_phase_) {
     opened_ = true;
-    opening_time_ = simulation.time();
     sample_discharge(simulation);
   }
   if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
@@ -114,9 +136,9 @@ void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, con
 
 void Recorder::sample_discharge(const Simulation& simulation) {
   if (!simulation.deck().discharge.enabled) return;
-  const double mass = discharged_mass(simulation.comm(), simulation.deck().discharge.orifice_height,
-                                      simulation.materials(), simulation.mass_unit(), simulation.particles(),
-                                      simulation.left_here());
+  const double mass =
+      discharged_mass(simulation.comm(), simulation.deck().discharge.orifice_height, simulation.materials(),
+                      simulation.mass_unit(), simulation.particles(), simulation.left_here());
   const auto& samples = discharge_.samples();
   if (samples.empty() || simulation.time() > samples.back().time) discharge_.add(simulation.time(), mass);
 }
@@ -137,17 +159,11 @@ void Recorder::write_series_row(const Simulation& simulation, const std::string&
           : 0.0;
   const auto& phases = simulation.deck().phases;
   const auto at = std::find_if(phases.begin(), phases.end(), [&](const PhaseDeck& p) { return p.name == phase; });
-  const std::array<TimeSeries::Value, 11> row = {simulation.steps(),
-                                                 simulation.time(),
-                                                 static_cast<std::int64_t>(at - phases.begin()),
-                                                 particles,
-                                                 contacts.pairs,
-                                                 contacts.walls,
-                                                 e.translational,
-                                                 e.rotational,
-                                                 e.gravitational,
-                                                 e.elastic,
-                                                 discharged};
+  const std::array<TimeSeries::Value, 11> row = {
+      simulation.steps(), simulation.time(), static_cast<std::int64_t>(at - phases.begin()),
+      particles,          contacts.pairs,    contacts.walls,
+      e.translational,    e.rotational,      e.gravitational,
+      e.elastic,          discharged};
   agree_after_root(comm, [&] { series_->append(row); });
 }
 
@@ -174,7 +190,8 @@ void Recorder::write_snapshot_now(const Simulation& simulation) {
   for (const MaterialDeck& m : simulation.deck().materials) header.materials.push_back(m.name);
   const std::string name = fmt::format("run_{:010d}.hdf", simulation.steps());
   write_snapshot(comm, path(name),
-                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.inserted()), header);
+                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.inserted()),
+                 header);
   agree_after_root(comm, [&] { snapshots_.add(name, simulation.time()); });
 }
 
@@ -213,7 +230,12 @@ void Recorder::measure_pile(const Simulation& simulation, Summary& summary) {
       collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.inserted());
   const std::vector<Sphere> grains = gather_spheres(simulation.comm(), table);
   agree_after_root(simulation.comm(), [&] {
-    const auto angle = measure_angle_of_repose(simulation.deck().angle_of_repose, grains, path("silhouette.png"));
+    std::optional<AngleOfRepose> angle;
+    try {
+      angle = measure_angle_of_repose(simulation.deck().angle_of_repose, grains, path("silhouette.png"));
+    } catch (const DeckError& error) {  // such as a camera inside the pile: the rest of the results is good
+      fmt::print(stderr, "repose: warning: no angle of repose: {}\n", error.what());
+    }
     if (!angle) return;
     summary.angle_of_repose_deg = angle->mean_deg;
     summary.angle_of_repose_left_deg = angle->left_deg;
@@ -236,26 +258,18 @@ Summary Recorder::finish(const Simulation& simulation) {
   s.timestep_s = simulation.time_step().step;
   s.timestep_set_by = simulation.time_step().criterion;
   s.inserted = simulation.inserted();
-  s.inside = comm.sum(static_cast<std::int64_t>(
-      std::count_if(simulation.particles().record.begin(),
-                    simulation.particles().record.begin() + static_cast<std::ptrdiff_t>(simulation.particles().owned),
-                    [](const ParticleRecord& p) { return !is_parked(p); })));
+  s.inside = inside(simulation);
   std::array<std::int64_t, 6> left = simulation.left_here().particles;
   comm.sum_elements(std::span(left.begin(), left.end()));
   for (std::size_t e = 0; e < left.size(); ++e) {
     s.exits.push_back({exit_names[e], left[e]});
     s.left += left[e];
   }
-  if (s.inserted != s.inside + s.left) {
-    throw PhysicsError(fmt::format("{} particles inserted, but {} inside and {} left at the end: particles were lost",
-                                   s.inserted, s.inside, s.left));
-  }
   s.state_hash = state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
   s.phases = phases_;
   if (simulation.deck().discharge.enabled && opened_) {
-    const double total = simulation.mass_unit().kilograms(
-        total_mass_units(comm, simulation.materials(), simulation.mass_unit(), simulation.particles(),
-                         simulation.left_here()));
+    const double total = total_mass(comm, simulation.materials(), simulation.mass_unit(), simulation.particles(),
+                                    simulation.left_here());
     const Discharge d = discharge_.result(total, simulation.deck().discharge.plugged_share);
     s.discharged_mass_kg = d.mass;
     s.retained_mass_kg = d.retained_mass;
@@ -267,6 +281,7 @@ Summary Recorder::finish(const Simulation& simulation) {
   s.wall_seconds = seconds_since(start_);
   s.particle_steps_per_second = particle_steps_ / s.wall_seconds;
   s.build = options_.build;
+  s.deck = options_.resolved_deck;
   agree_after_root(comm, [&] { write_summary(path("summary.json"), s); });
   return s;
 }

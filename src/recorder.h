@@ -24,9 +24,9 @@ struct OutputOptions {
   bool quiet = false;  ///< no progress lines
 };
 
-/// Watches a running simulation: samples the discharge, writes the time series, the trace, the snapshots and the progress
-/// lines when they are due, and measures everything at the end. All members but the constructor's plain copies are
-/// collective; only rank 0 writes text.
+/// Watches a running simulation: samples the discharge, writes the time series, the trace, the snapshots and the
+/// progress lines when they are due, and measures everything at the end. All members but the constructor's plain copies
+/// are collective; only rank 0 writes text.
 class Recorder {
  public:
   Recorder(const Simulation& simulation, const OutputOptions& options);
@@ -39,6 +39,7 @@ class Recorder {
   Summary finish(const Simulation& simulation);
 
  private:
+  void remove_earlier_results() const;
   void sample_discharge(const Simulation& simulation);
   void write_series_row(const Simulation& simulation, const std::string& phase);
   void write_trace(const Simulation& simulation);
@@ -49,16 +50,16 @@ class Recorder {
   std::string path(const std::string& file) const { return options_.directory + "/" + file; }
 
   OutputOptions options_;
-  std::int64_t total_steps_;         ///< the longest the run can take
-  std::int64_t settled_steps_ = 0;   ///< of it, what the phases that are over could have taken
+  std::int64_t total_steps_;        ///< the longest the run can take
+  std::int64_t settled_steps_ = 0;  ///< of it, what the phases that are over could have taken
   std::int64_t series_every_;
-  std::int64_t snapshot_every_;      ///< 0: never
+  std::int64_t snapshot_every_;  ///< 0: never
   std::vector<std::int64_t> snapshot_steps_;
   std::int64_t last_snapshot_ = -1;  ///< step
   std::int64_t last_series_ = -1;    ///< step
-  bool opened_ = false;              ///< a phase has removed a wall
+  std::string opening_phase_;        ///< the first that removes a wall; the first of all when none does
+  bool opened_ = false;
   DischargeRecord discharge_;
-  std::optional<double> opening_time_;
   std::unique_ptr<TimeSeries> series_;  ///< rank 0
   std::unique_ptr<Trace> trace_;        ///< rank 0
   SnapshotSeries snapshots_;
@@ -67,7 +68,7 @@ class Recorder {
   std::chrono::steady_clock::time_point last_progress_;
   std::int64_t last_progress_step_ = 0;
   double particle_steps_ = 0.0;
-  std::int64_t inside_ = 0;             ///< at the last check
+  std::int64_t inside_ = 0;  ///< at the last check
 };
 
 }  // namespace repose

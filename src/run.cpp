@@ -1,8 +1,8 @@
 #include "run.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
+
+#include <fmt/format.h>
 
 #include "output/agreement.h"
 #include "output/directory.h"

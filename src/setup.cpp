@@ -20,10 +20,4 @@ SmallestRadii smallest_radii(const NewParticles& particles, std::size_t material
   return radii;
 }
 
-double highest_particle(const NewParticles& particles) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const Vec3& x : particles.position) highest = std::max(highest, x.z);
-  return highest;
-}
-
 }  // namespace repose

@@ -15,7 +15,4 @@ std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials);
 
 SmallestRadii smallest_radii(const NewParticles& particles, std::size_t materials);
 
-/// Greatest z of all centres, m; minus infinity without particles.
-double highest_particle(const NewParticles& particles);
-
 }  // namespace repose

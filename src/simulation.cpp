@@ -1,12 +1,12 @@
 #include "simulation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
-#include "guards.h"
 #include "domain/migration.h"
+#include "guards.h"
 #include "integration/velocity_verlet.h"
 #include "scene/sphere.h"
 #include "setup.h"
@@ -28,8 +28,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       decomposition_(comm.size()),
       ghosts_(comm) {
   const NewParticles all = insert_particles(deck_, walls_, read_file);
-  time_step_ = choose_time_step(deck_, materials_, smallest_radii(all, materials_.size()),
-                                expected_speed(deck_, highest_particle(all)));
+  time_step_ = choose_time_step(deck_, materials_, smallest_radii(all, materials_.size()), expected_speed(deck_, all));
   watch_ = SkinWatch({deck_.neighbours.inner_skin, inner_horizon_steps * time_step_.step},
                      {deck_.neighbours.skin, outer_horizon_steps * time_step_.step});
   insert(all);
@@ -123,8 +122,7 @@ void Simulation::balance() {
   }
   const std::int64_t total = comm_.sum(here);
   const std::int64_t busiest = comm_.max(here);
-  counters_.imbalance =
-      total > 0 ? static_cast<double>(busiest) * comm_.size() / static_cast<double>(total) : 1.0;
+  counters_.imbalance = total > 0 ? static_cast<double>(busiest) * comm_.size() / static_cast<double>(total) : 1.0;
   const bool first = counters_.rebuilds == 0;
   if (!first && counters_.imbalance <= deck_.neighbours.max_imbalance) return;
   decomposition_ = Decomposition::bisect(comm_, positions, alive_cost);
@@ -146,7 +144,8 @@ void Simulation::check_time_step() {
   if (excess > 1.0 + 1e-9 && !warned_of_time_step_) {
     warned_of_time_step_ = true;
     warning_ = fmt::format(
-        "step {}: at {:.3g} m/s the time step {:.3g} s is {:.2f} times its criterion (expected {:.3g} m/s; an error at 2)",
+        "step {}: at {:.3g} m/s the time step {:.3g} s is {:.2f} times its criterion (expected {:.3g} m/s; an error at "
+        "2)",
         steps_, fastest, time_step_.step, excess, time_step_.speed);
   }
 }
@@ -160,9 +159,9 @@ void Simulation::evaluate_forces(double dt) {
       if (group.interior != interior) continue;
       const PairParameters& pair = materials_.pair(static_cast<std::size_t>(group.material_first),
                                                    static_cast<std::size_t>(group.material_second));
-      alarm |= evaluate_pairs(level_, group.blocks, pair, dt, max_overlap, particles_.record.data(),
-                              particles_.sum.data())
-                   .any();
+      alarm |=
+          evaluate_pairs(level_, group.blocks, pair, dt, max_overlap, particles_.record.data(), particles_.sum.data())
+              .any();
     }
   };
   evaluate(true);

@@ -24,10 +24,10 @@ namespace repose {
 
 /// How the lists and the decomposition have fared, on this rank unless stated otherwise.
 struct RunCounters {
-  std::int64_t rebuilds = 0;         ///< of the outer lists
+  std::int64_t rebuilds = 0;          ///< of the outer lists
   std::int64_t inner_selections = 0;  ///< of the inner lists alone
-  std::int64_t bisections = 0;       ///< new decompositions
-  double imbalance = 1.0;            ///< cost of the busiest rank over the mean, at the last rebuild
+  std::int64_t bisections = 0;        ///< new decompositions
+  double imbalance = 1.0;             ///< cost of the busiest rank over the mean, at the last rebuild
 };
 
 /// One DEM simulation on the ranks of a communicator: state and time loop. It opens no file; phases, measurements and
@@ -44,7 +44,8 @@ class Simulation {
   /// Collective. PhysicsError on all ranks when a guard was hit since the last step: call before the state is used.
   void check_guards() const;
 
-  /// Adds or removes a named wall from the next evaluation of the forces on. Contacts with a removed wall are forgotten.
+  /// Adds or removes a named wall from the next evaluation of the forces on. Contacts with a removed wall are
+  /// forgotten.
   void set_wall_present(const std::string& name, bool present);
 
   const Communicator& comm() const { return comm_; }
@@ -71,7 +72,6 @@ class Simulation {
   void check_time_step();
   ListState agreed_list_state();
   void evaluate_forces(double dt);
-  void raise_alarm(const std::string& message);
 
   const Communicator& comm_;
   Deck deck_;

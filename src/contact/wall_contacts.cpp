@@ -101,6 +101,7 @@ WallAlarms WallContacts::evaluate(std::span<const Wall> walls, const MaterialTab
     ForceSum& sum = particles.sum[static_cast<std::size_t>(candidate.particle)];
     const std::size_t first_before = next;
     while (next < before_.size() && before_[next].particle == candidate.particle) ++next;
+    if (is_parked(p)) continue;
     const std::span<const WallContact> before(before_.data() + first_before, next - first_before);
 
     touches.clear();

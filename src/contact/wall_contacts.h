@@ -30,12 +30,14 @@ struct WallAlarms {
 /// The contacts of the owned particles with walls.
 class WallContacts {
  public:
-  /// Lists the walls, present or not, within the reach (m) of each owned particle, and gives the contacts their histories.
+  /// Lists the walls, present or not, within the reach (m) of each owned particle, and gives the contacts their
+  /// histories.
   void build(const Particles& particles, std::span<const Wall> walls, std::span<const double> reach,
              const Csr<WallMemory>& memory);
 
-  /// Evaluates the contact law with every present wall and adds force and torque to the particles' sums. Histories advance
-  /// by `dt` s. A history follows its contact from one feature of a wall to the next, and across flush seams of two walls.
+  /// Evaluates the contact law with every present wall and adds force and torque to the particles' sums. Histories
+  /// advance by `dt` s. A history follows its contact from one feature of a wall to the next, and across flush seams of
+  /// two walls.
   WallAlarms evaluate(std::span<const Wall> walls, const MaterialTable& materials, double dt, double max_overlap,
                       Particles& particles);
 

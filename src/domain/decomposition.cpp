@@ -6,8 +6,8 @@
 namespace repose {
 namespace {
 
-constexpr std::size_t bins = 128;   // of each histogram
-constexpr int refinements = 4;      // histograms per plane: 128^4 steps of the part's length
+constexpr std::size_t bins = 128;  // of each histogram
+constexpr int refinements = 4;     // histograms per plane: 128^4 steps of the part's length
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 

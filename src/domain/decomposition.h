@@ -30,11 +30,11 @@ class Decomposition {
 
  private:
   struct Node {
-    int first_rank;   ///< lowest rank of this part
-    int ranks;        ///< how many
-    int axis = 0;     ///< of the plane that divides it
+    int first_rank;  ///< lowest rank of this part
+    int ranks;       ///< how many
+    int axis = 0;    ///< of the plane that divides it
     double plane = 0.0;
-    int below = -1;   ///< child nodes, -1 at a leaf
+    int below = -1;  ///< child nodes, -1 at a leaf
     int above = -1;
   };
 

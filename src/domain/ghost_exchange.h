@@ -4,13 +4,13 @@
 
 #include "comm/communicator.h"
 #include "domain/decomposition.h"
-#include "scene/reach.h"
 #include "scene/particles.h"
+#include "scene/reach.h"
 
 namespace repose {
 
-/// The ghosts of a rank: copies of the particles of other ranks that may touch its own before the next list rebuild. The
-/// lists of who sends what to whom are made at a rebuild; each step only positions, velocities and spins travel, by
+/// The ghosts of a rank: copies of the particles of other ranks that may touch its own before the next list rebuild.
+/// The lists of who sends what to whom are made at a rebuild; each step only positions, velocities and spins travel, by
 /// persistent requests. Ghosts are read only: no force travels back.
 class GhostExchange {
  public:
@@ -19,8 +19,8 @@ class GhostExchange {
   GhostExchange(const GhostExchange&) = delete;
   GhostExchange& operator=(const GhostExchange&) = delete;
 
-  /// Collective. Appends to the owned particles the ghosts that are within the sum of reaches of any of them, and returns
-  /// the outer reach of every particle, owned and ghost, in m.
+  /// Collective. Appends to the owned particles the ghosts that are within the sum of reaches of any of them, and
+  /// returns the outer reach of every particle, owned and ghost, in m.
   std::vector<double> set_up(const Decomposition& decomposition, const SkinRule& rule, Particles& particles);
 
   /// Sends the motion of the owned particles that are ghosts elsewhere, and starts to receive.
@@ -46,7 +46,7 @@ class GhostExchange {
   std::vector<Link> receives_;
   std::vector<std::size_t> send_index_;  ///< owned particles to send, link by link
   std::vector<Motion> send_buffer_;
-  std::vector<Motion> receive_buffer_;   ///< one per ghost, in the order of the ghosts
+  std::vector<Motion> receive_buffer_;  ///< one per ghost, in the order of the ghosts
   std::vector<MPI_Request> requests_;
 };
 

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "comm/communicator.h"
-#include "scene/contact_memory.h"
 #include "domain/decomposition.h"
+#include "scene/contact_memory.h"
 #include "scene/particles.h"
 
 namespace repose {
 
-/// Collective. Drops all ghosts and all parked particles, sends every owned particle to the rank that owns its position,
-/// with everything it remembers of its contacts, and sorts what each rank then owns along a space-filling (Morton) curve.
-/// Force sums are not kept: lists are rebuilt between the drift and the next evaluation of the forces.
+/// Collective. Drops all ghosts and all parked particles, sends every owned particle to the rank that owns its
+/// position, with everything it remembers of its contacts, and sorts what each rank then owns along a space-filling
+/// (Morton) curve. Force sums are not kept: lists are rebuilt between the drift and the next evaluation of the forces.
 void migrate(const Communicator& comm, const Decomposition& decomposition, Particles& particles, ContactMemory& memory);
 
 }  // namespace repose

@@ -1,10 +1,10 @@
 #include "integration/time_step.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/math.h"
@@ -42,8 +42,8 @@ double shortest_hertz_time(const MaterialTable& materials, const SmallestRadii& 
       const double other = radii.of_material[b];
       if (!(other < infinite)) continue;
       const double other_mass = sphere_mass(other, materials[b].density);
-      shortest = std::min(shortest, hertz_time(radius * other / (radius + other), mass * other_mass / (mass + other_mass),
-                                               stiffness, speed));
+      shortest = std::min(shortest, hertz_time(radius * other / (radius + other),
+                                               mass * other_mass / (mass + other_mass), stiffness, speed));
     }
   }
   return shortest;
@@ -60,13 +60,17 @@ double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff,
   return 2.87 * fifth_root(mass_eff * mass_eff / (radius_eff * youngs_modulus_eff * youngs_modulus_eff * speed));
 }
 
-double expected_speed(const Deck& deck, double highest_particle) {
+double expected_speed(const Deck& deck, const NewParticles& particles) {
   if (!std::isnan(deck.time.expected_speed)) return deck.time.expected_speed;
-  const double g = norm(deck.gravity);
-  const double height = std::max(0.0, std::min(highest_particle, deck.domain.max.z) - deck.domain.min.z);
-  double initial = 0.0;
-  for (const ParticlesDeck& p : deck.particles) initial = std::max(initial, norm(p.velocity));
-  return std::max(std::sqrt(initial * initial + 2.0 * g * height), 1e-3);
+  const Vec3 g = deck.gravity;
+  const auto& [min, max] = deck.domain;
+  const Vec3 lowest = {g.x > 0.0 ? max.x : min.x, g.y > 0.0 ? max.y : min.y, g.z > 0.0 ? max.z : min.z};
+  double greatest_square = 1e-6;  // nothing moves by itself: 1 mm/s
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double fall = dot(g, lowest - particles.position[i]);  // g times height
+    greatest_square = std::max(greatest_square, squared_norm(particles.velocity[i]) + 2.0 * fall);
+  }
+  return std::sqrt(greatest_square);
 }
 
 TimeStep choose_time_step(const Deck& deck, const MaterialTable& materials, const SmallestRadii& radii, double speed) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "deck/deck.h"
+#include "scene/insertion.h"
 #include "scene/materials.h"
 
 namespace repose {
@@ -14,17 +15,19 @@ double rayleigh_time(double radius, const Material& material);
 /// Duration in s of a Hertz impact at `speed` m/s (thesis eq. 2.25 with effective quantities).
 double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff, double speed);
 
-/// Speed in m/s that the deck expects at most: given, or free fall over the height of the scene (particles and walls).
-double expected_speed(const Deck& deck, double highest_particle);
+/// Speed in m/s that the deck expects at most: given, or the greatest that any particle can reach in free fall along
+/// gravity from where and as fast as it starts to the far side of the domain.
+double expected_speed(const Deck& deck, const NewParticles& particles);
 
-/// The time step and what limits it, all in s; hertz_at is the Hertz criterion at 1 m/s (it scales as speed^-1/5).
+/// The time step and what limits it, all in s; hertz_limit_at_1 is the Hertz criterion at 1 m/s (it scales as
+/// speed^-1/5).
 struct TimeStep {
   double step = 0.0;
   double rayleigh_limit = 0.0;  ///< fraction x Rayleigh time of the worst particle
   double hertz_limit = 0.0;     ///< fraction x Hertz time of the worst pair at the expected speed
   double hertz_limit_at_1 = 0.0;
-  double speed = 0.0;           ///< m/s, expected
-  std::string criterion;        ///< "rayleigh", "hertz" or "given"
+  double speed = 0.0;     ///< m/s, expected
+  std::string criterion;  ///< "rayleigh", "hertz" or "given"
 };
 
 /// Smallest radius of the particles of each material; infinity where there are none.

@@ -13,8 +13,8 @@ namespace repose {
 double discharged_mass(const Communicator& comm, double orifice_height, const MaterialTable& materials,
                        const MassUnit& unit, const Particles& particles, const ExitCount& left_here);
 
-/// Collective. Mass of everything in the domain and of all that has left it, in units of `unit`.
-std::int64_t total_mass_units(const Communicator& comm, const MaterialTable& materials, const MassUnit& unit,
-                              const Particles& particles, const ExitCount& left_here);
+/// Collective. Mass in kg of everything in the domain and of all that has left it but through its top.
+double total_mass(const Communicator& comm, const MaterialTable& materials, const MassUnit& unit,
+                  const Particles& particles, const ExitCount& left_here);
 
 }  // namespace repose

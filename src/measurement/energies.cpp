@@ -54,14 +54,14 @@ Energies measure_energies(const Communicator& comm, const Vec3& gravity, const M
     rotational.push_back(0.5 * sphere_inertia(mass, p.radius) * squared_norm(p.spin));
     gravitational.push_back(-mass * dot(gravity, p.position));
   }
-  for_each_touching_pair(particles, pairs, [&](const PairGroup& g, std::size_t i, std::size_t j, double overlap,
-                                               std::size_t lane) {
-    const double ri = particles.record[i].radius;
-    const double rj = particles.record[j].radius;
-    const PairParameters& pair =
-        materials.pair(static_cast<std::size_t>(g.material_first), static_cast<std::size_t>(g.material_second));
-    elastic.push_back(spring_energy(pair, overlap, ri * rj / (ri + rj), lane_history(g, lane)));
-  });
+  for_each_touching_pair(
+      particles, pairs, [&](const PairGroup& g, std::size_t i, std::size_t j, double overlap, std::size_t lane) {
+        const double ri = particles.record[i].radius;
+        const double rj = particles.record[j].radius;
+        const PairParameters& pair =
+            materials.pair(static_cast<std::size_t>(g.material_first), static_cast<std::size_t>(g.material_second));
+        elastic.push_back(spring_energy(pair, overlap, ri * rj / (ri + rj), lane_history(g, lane)));
+      });
   for (const WallContact& c : wall_contacts.contacts()) {
     const auto i = static_cast<std::size_t>(c.particle);
     const auto wall_material = static_cast<std::size_t>(walls[static_cast<std::size_t>(c.wall)].material);
@@ -88,7 +88,8 @@ double mean_kinetic_energy(const Communicator& comm, const MaterialTable& materi
 ContactCount count_contacts(const Communicator& comm, const Particles& particles, const PairLists& pairs,
                             const WallContacts& wall_contacts) {
   std::int64_t here = 0;
-  for_each_touching_pair(particles, pairs, [&](const PairGroup&, std::size_t, std::size_t, double, std::size_t) { ++here; });
+  for_each_touching_pair(particles, pairs,
+                         [&](const PairGroup&, std::size_t, std::size_t, double, std::size_t) { ++here; });
   return {comm.sum(here), comm.sum(static_cast<std::int64_t>(wall_contacts.contacts().size()))};
 }
 

@@ -1,18 +1,18 @@
 #include "measurement/state_hash.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <tuple>
+
+#include <fmt/format.h>
 
 namespace repose {
 namespace {
 
 /// Two chained 64-bit mixers with different constants (the finalisers of SplitMix64 and MurmurHash3).
 struct Digest {
-  std::uint64_t low = 0x243f6a8885a308d3ULL;   // digits of pi
+  std::uint64_t low = 0x243f6a8885a308d3ULL;  // digits of pi
   std::uint64_t high = 0x13198a2e03707344ULL;
 
   void add(std::uint64_t word) {

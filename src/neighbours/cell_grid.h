@@ -25,7 +25,8 @@ class CellGrid {
         for (std::int64_t z = low.z; z <= high.z; ++z) {
           const std::int32_t run = find({x, y, z});
           if (run < 0) continue;
-          for (std::int32_t k = begin_[static_cast<std::size_t>(run)]; k < begin_[static_cast<std::size_t>(run) + 1]; ++k) {
+          for (std::int32_t k = begin_[static_cast<std::size_t>(run)]; k < begin_[static_cast<std::size_t>(run) + 1];
+               ++k) {
             visit(static_cast<std::size_t>(sorted_[static_cast<std::size_t>(k)]));
           }
         }
@@ -46,10 +47,10 @@ class CellGrid {
 
   Vec3 origin_;
   double inverse_size_;
-  std::vector<std::int32_t> sorted_;   ///< particle indices, cell by cell
-  std::vector<std::int32_t> begin_;    ///< start of each occupied cell's run in sorted_, and the end
-  std::vector<std::uint64_t> keys_;    ///< of each occupied cell
-  std::vector<std::int32_t> table_;    ///< hash slot to occupied cell, -1 when free
+  std::vector<std::int32_t> sorted_;  ///< particle indices, cell by cell
+  std::vector<std::int32_t> begin_;   ///< start of each occupied cell's run in sorted_, and the end
+  std::vector<std::uint64_t> keys_;   ///< of each occupied cell
+  std::vector<std::int32_t> table_;   ///< hash slot to occupied cell, -1 when free
   std::uint64_t mask_ = 0;
 };
 

@@ -1,23 +1,24 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
 #include "neighbours/contact_block.h"
 #include "scene/contact_memory.h"
-#include "scene/reach.h"
 #include "scene/particles.h"
+#include "scene/reach.h"
 
 namespace repose {
 
-/// The neighbour pairs of one combination of materials, which share their contact parameters. Interior groups hold pairs
-/// of two owned particles; the others hold pairs with one ghost and have to wait for the ghost exchange.
+/// The neighbour pairs of one combination of materials, which share their contact parameters. Interior groups hold
+/// pairs of two owned particles; the others hold pairs with one ghost and have to wait for the ghost exchange.
 struct PairGroup {
   struct Pair {
-    std::int32_t first;   ///< local index of the particle with the lower id
+    std::int32_t first;  ///< local index of the particle with the lower id
     std::int32_t second;
-    std::int32_t lane;    ///< where its history is in `blocks`, or -1
+    std::int32_t lane;  ///< where its history is in `blocks`, or -1
   };
   std::int32_t material_first;
   std::int32_t material_second;
@@ -31,7 +32,8 @@ struct PairGroup {
 class PairLists {
  public:
   /// Lists all pairs with at least one owned particle that are closer than the sum of their reaches (one entry per
-  /// particle, m), and gives them the histories that the owned particles remember. The inner lists are empty afterwards.
+  /// particle, m), and gives them the histories that the owned particles remember. The inner lists are empty
+  /// afterwards.
   void build(const Particles& particles, std::span<const double> reach, const Csr<PairMemory>& memory);
 
   /// Refills the inner lists with the listed pairs that are within the reaches of `rule`; histories stay.
@@ -66,7 +68,10 @@ inline ContactHistory lane_history(const PairGroup& group, std::size_t lane) {
   return {{b.spring[0][k], b.spring[1][k], b.spring[2][k]}, {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]}};
 }
 
-/// Whether anything is remembered: touching pairs alone have a history.
-inline bool is_blank(const ContactHistory& h) { return h.spring == Vec3{} && h.rolling == Vec3{}; }
+/// Whether nothing is remembered: all bits are zero (a history of negative zeros is one, and is kept as it is).
+inline bool is_blank(const ContactHistory& h) {
+  constexpr ContactHistory blank = {};
+  return std::memcmp(&h, &blank, sizeof(ContactHistory)) == 0;
+}
 
 }  // namespace repose

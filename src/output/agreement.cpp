@@ -8,9 +8,14 @@ namespace repose {
 
 void agree_after(const Communicator& comm, const std::function<void()>& work) {
   bool failed = false;
+  int code = static_cast<int>(ExitCode::file);
   std::string message;
   try {
     work();
+  } catch (const Error& error) {
+    failed = true;
+    code = static_cast<int>(error.code());
+    message = error.what();
   } catch (const std::exception& error) {
     failed = true;
     message = error.what();
@@ -18,7 +23,9 @@ void agree_after(const Communicator& comm, const std::function<void()>& work) {
   const int first_failed = comm.min(failed ? comm.rank() : comm.size());
   if (first_failed == comm.size()) return;
   comm.broadcast(message, first_failed);
-  throw FileError(message);
+  comm.broadcast(code, first_failed);
+  if (code == static_cast<int>(ExitCode::file)) throw FileError(message);
+  throw Error(static_cast<ExitCode>(code), message);
 }
 
 void agree_after_root(const Communicator& comm, const std::function<void()>& work) {

@@ -7,8 +7,9 @@
 
 namespace repose {
 
-/// Collective. Does `work` on this rank; when it threw on any rank, throws FileError on every rank, with the message of
-/// the lowest rank that failed. So no rank goes on (or waits) where another has given up.
+/// Collective. Does `work` on this rank; when it threw on any rank, throws on every rank, with the message and exit
+/// code of the lowest rank that failed (FileError for what is no Error). So no rank goes on (or waits) where another
+/// has given up.
 void agree_after(const Communicator& comm, const std::function<void()>& work);
 
 /// Collective. Like agree_after, but only rank 0 does the work.

@@ -60,6 +60,7 @@ std::string summary_json(const Summary& summary) {
       {"wall_seconds", number(summary.wall_seconds)},
       {"particle_steps_per_second", number(summary.particle_steps_per_second)},
       {"build", build_json(summary.build)},
+      {"deck", summary.deck},
   };
   // Texts come from decks and file systems: bytes that are no UTF-8 must not cost the results.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

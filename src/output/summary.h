@@ -49,6 +49,7 @@ struct Summary {
   double wall_seconds = 0.0;
   double particle_steps_per_second = 0.0;
   BuildInfo build;
+  std::string deck;  ///< resolved, TOML
 };
 
 /// The summary as JSON; empty and non-finite numbers become null.

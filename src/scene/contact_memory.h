@@ -13,8 +13,8 @@ struct ContactHistory {
   Vec3 rolling;  ///< N m, rolling moment M
 };
 
-/// What a particle carries of one contact with another when lists are rebuilt or when it changes its rank. The history is
-/// oriented from the higher to the lower id, as in the pair loop, whoever carries it.
+/// What a particle carries of one contact with another when lists are rebuilt or when it changes its rank. The history
+/// is oriented from the higher to the lower id, as in the pair loop, whoever carries it.
 struct PairMemory {
   std::int64_t partner;
   ContactHistory history;

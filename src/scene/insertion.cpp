@@ -60,6 +60,27 @@ struct Origin {
   }
 };
 
+// read_deck cannot know the materials of a list; that every two which can touch have a pair is checked here.
+void check_pairs(const NewParticles& particles, const Deck& deck) {
+  std::vector<bool> used(deck.materials.size(), false);
+  for (const int m : particles.material) used[static_cast<std::size_t>(m)] = true;
+  const auto require = [&](const std::string& a, const std::string& b) {
+    const bool given = std::any_of(deck.pairs.begin(), deck.pairs.end(), [&](const PairDeck& p) {
+      return (p.materials[0] == a && p.materials[1] == b) || (p.materials[0] == b && p.materials[1] == a);
+    });
+    if (given) return;
+    throw DeckError(
+        fmt::format("no [[pair]] for \"{0}\" and \"{1}\", which can touch; add materials = [\"{0}\", \"{1}\"]", a, b));
+  };
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) continue;
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (used[j]) require(deck.materials[i].name, deck.materials[j].name);
+    }
+    for (const WallDeck& wall : deck.walls) require(deck.materials[i].name, wall.material);
+  }
+}
+
 void check_domain(const NewParticles& particles, const Origin& origin) {
   const auto& [min, max] = origin.deck.domain;
   for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -109,6 +130,7 @@ NewParticles insert_particles(const Deck& deck, const std::vector<Wall>& walls, 
                     : parse_particle_csv(read_file(particles.file), particles.file, deck.materials));
     origin.block.resize(all.size(), block);
   }
+  check_pairs(all, deck);
   check_domain(all, origin);
   check_walls(all, origin, walls);
   check_overlaps(all, origin);

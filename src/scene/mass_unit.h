@@ -5,12 +5,14 @@
 
 namespace repose {
 
-/// Masses are summed as integers of a unit so that no sum depends on its order. The unit is a power of two, such that the
-/// mass of all particles of the run takes 62 bits.
+/// Masses are summed as integers of a unit so that no sum depends on its order. The unit is a power of two, such that
+/// the mass of all particles of the run takes 62 bits.
 class MassUnit {
  public:
   explicit MassUnit(double total_mass) { std::frexp(total_mass, &exponent_); }
-  std::int64_t count(double mass) const { return static_cast<std::int64_t>(std::rint(std::ldexp(mass, 61 - exponent_))); }
+  std::int64_t count(double mass) const {
+    return static_cast<std::int64_t>(std::rint(std::ldexp(mass, 61 - exponent_)));
+  }
   double kilograms(std::int64_t units) const { return std::ldexp(static_cast<double>(units), exponent_ - 61); }
 
  private:

@@ -6,9 +6,10 @@
 
 namespace repose {
 
-/// Each particle has a skin of its own: a share of its radius and the way it makes within `horizon` at its present speed.
-/// A list of the pairs closer than the sum of their reaches (radius + skin) holds every contact until some particle has
-/// moved by more than its own skin. So a few fast grains make neither the lists of the others long nor rebuilds frequent.
+/// Each particle has a skin of its own: a share of its radius and the way it makes within `horizon` at its present
+/// speed. A list of the pairs closer than the sum of their reaches (radius + skin) holds every contact until some
+/// particle has moved by more than its own skin. So a few fast grains make neither the lists of the others long nor
+/// rebuilds frequent.
 struct SkinRule {
   double share;    ///< of the radius
   double horizon;  ///< s

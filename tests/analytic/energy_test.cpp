@@ -1,7 +1,7 @@
 // The energy balance of the contact law and the integrator.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "measurement/energies.h"
 #include "support/scenes.h"

@@ -1,9 +1,9 @@
 // Impacts against closed forms: Chung and Ooi 2011 (doi:10.1007/s10035-011-0277-0), tests 1 to 4 and 7.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <fstream>
 #include <sstream>
+
+#include <gtest/gtest.h>
 
 #include "scene/sphere.h"
 #include "support/scenes.h"
@@ -17,8 +17,8 @@ struct Impact {
   double contact_time = 0.0;
 };
 
-/// Runs until the contact is over. `gap` tells the distance of the surfaces from the grains, `speed` the approach speed of
-/// the first grain, whose mass is `mass`.
+/// Runs until the contact is over. `gap` tells the distance of the surfaces from the grains, `speed` the approach speed
+/// of the first grain, whose mass is `mass`.
 template <class Gap>
 Impact follow_impact(Scene& scene, double dt, double mass, Gap&& gap) {
   Impact impact;
@@ -113,7 +113,8 @@ TEST(ChungOoi, Test4ObliqueImpactWhileSliding) {
 
 TEST(ChungOoi, Test4FollowsTheMeasuredTangentialRestitution) {
   // Kharaz, Gorham and Salman 2001 (doi:10.1016/S0032-5910(01)00283-2): angle in degrees, tangential restitution
-  const double measured[][2] = {{9.63, 0.673}, {20.08, 0.596}, {30.22, 0.688}, {39.30, 0.772}, {49.55, 0.847}, {59.84, 0.902}};
+  const double measured[][2] = {{9.63, 0.673},  {20.08, 0.596}, {30.22, 0.688},
+                                {39.30, 0.772}, {49.55, 0.847}, {59.84, 0.902}};
   for (const auto& [angle, ratio] : measured) {
     const double v_t = 3.9 * std::sin(angle * 3.141592653589793 / 180.0);
     EXPECT_NEAR(after_impact(0.98, angle).velocity.x / v_t, ratio, 0.06) << angle;
@@ -124,7 +125,8 @@ TEST(ChungOoi, Test7SymmetricSpinIsKept) {
   Coefficients c{48e9, 0.2, 2800.0, 1.0, 1.0, 0.35, 0.35, 0.0, 0.0};
   const double r = 0.01;
   const Vec3 spin = {0.0, 0.0, 40.0};
-  Scene scene(bare_deck(c, 2e-8), {{{-r - 1e-6, 0, 0}, {10, 0, 0}, spin, r}, {{r + 1e-6, 0, 0}, {-10, 0, 0}, -spin, r}});
+  Scene scene(bare_deck(c, 2e-8),
+              {{{-r - 1e-6, 0, 0}, {10, 0, 0}, spin, r}, {{r + 1e-6, 0, 0}, {-10, 0, 0}, -spin, r}});
   scene.run(4000);
   for (const Grain& g : scene.grains()) {
     EXPECT_GT(norm(g.position), r + 1e-6);  // they have parted

@@ -1,10 +1,10 @@
 // The contact law, wall and integrator against LIGGGHTS 3.8 (tests/reference/README.md), over the whole length of each
 // trace: the greatest difference of a vector, over the greatest magnitude of that vector in the trace.
-#include <gtest/gtest.h>
-
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "support/scenes.h"
 
@@ -59,7 +59,9 @@ struct Deviation {
     greatest_difference = std::max(greatest_difference, norm(ours - theirs));
     greatest_magnitude = std::max(greatest_magnitude, norm(theirs));
   }
-  double relative() const { return greatest_magnitude > 0.0 ? greatest_difference / greatest_magnitude : greatest_difference; }
+  double relative() const {
+    return greatest_magnitude > 0.0 ? greatest_difference / greatest_magnitude : greatest_difference;
+  }
 };
 
 class LiggghtsTrace : public ::testing::TestWithParam<std::string> {};
@@ -91,8 +93,8 @@ TEST_P(LiggghtsTrace, IsFollowedOverItsWholeLength) {
   RecordProperty("position", testing::PrintToString(position.relative()));
   RecordProperty("velocity", testing::PrintToString(velocity.relative()));
   RecordProperty("spin", testing::PrintToString(spin.relative()));
-  std::cout << "  relative deviation: position " << position.relative() << ", velocity " << velocity.relative() << ", spin "
-            << spin.relative() << "\n";
+  std::cout << "  relative deviation: position " << position.relative() << ", velocity " << velocity.relative()
+            << ", spin " << spin.relative() << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LiggghtsTrace,

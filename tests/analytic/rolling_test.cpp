@@ -1,7 +1,7 @@
 // A single grain on a plane: sliding, rolling, holding. Closed forms of rigid-body mechanics.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "support/scenes.h"
 

@@ -53,7 +53,8 @@ TEST_F(DecompositionTest, BalancesAClusteredCloud) {
 TEST_F(DecompositionTest, BalancesTheCostNotTheNumber) {
   std::vector<std::int64_t> cost(4000);
   for (std::size_t id = 0; id < 4000; ++id) {
-    cost[id] = sample(static_cast<std::int64_t>(id)).record.position.x < 0.02 ? 20 : 1;
+    const Vec3 x = sample(static_cast<std::int64_t>(id)).record.position;
+    cost[id] = std::max({x.x, x.y, x.z}) < 0.2 ? 20 : 1;  // one corner
   }
   const Decomposition tree = bisect_samples(world, 4000, cost);
   EXPECT_LT(imbalance(tree, 4000, cost), 1.10);
@@ -100,7 +101,8 @@ std::vector<double> planes_along(const Decomposition& tree, const Vec3& start, d
     while (std::nextafter(low.*axis, 2.0) < high.*axis) {
       Vec3 middle = low;
       middle.*axis = 0.5 * (low.*axis + high.*axis);
-      (tree.owner(middle) == below ? low : high).*axis = middle.*axis;
+      Vec3& end = tree.owner(middle) == below ? low : high;
+      end = middle;
     }
     planes.push_back(high.*axis);
   }
@@ -133,7 +135,7 @@ TEST_F(DecompositionTest, FacesEdgesAndCornersHaveOneOwner) {
         tree.for_each_rank_near(at, 1e-9, [&](int rank, double) { ++near[rank]; });
         EXPECT_EQ(near[owner], 1);
         for (const auto& [rank, times] : near) EXPECT_EQ(times, 1);
-        shared += near.size() > 1 ? 1 : 0;
+        shared += near.size() > 1 ? 1U : 0U;
       }
     }
   }

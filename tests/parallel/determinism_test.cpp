@@ -17,10 +17,11 @@ std::string hash_of(const Simulation& s) { return state_hash(s.comm(), s.particl
 Deck small_discharge() {
   Communicator world(MPI_COMM_WORLD);
   const std::string path = std::string(REPOSE_SOURCE_DIR) + "/input/discharge_quick.toml";
-  return read_deck(read_shared_file(world, path), path,
-                   {"particles.0.mass=0.06 g", "particles.0.height=10 mm", "domain.min=[-0.004, -0.004, -0.003]",
-                    "time.step=6e-6", "wall.plate.present=false", "wall.vessel.points=[[0.002,0.04],[0.002,0],[0.00125,0]]",
-                    "wall.lid.radius=0.00125", "particles.0.radius=0.002", "particles.0.spacing=0.0006"});
+  return read_deck(
+      read_shared_file(world, path), path,
+      {"particles.0.mass=0.06 g", "particles.0.height=10 mm", "domain.min=[-0.004, -0.004, -0.003]", "time.step=6e-6",
+       "wall.plate.present=false", "wall.vessel.points=[[0.002,0.04],[0.002,0],[0.00125,0]]", "wall.lid.radius=0.00125",
+       "particles.0.radius=0.002", "particles.0.spacing=0.0006"});
 }
 
 struct Outcome {
@@ -51,7 +52,7 @@ TEST(Determinism, SameBitsOnAllRanksAsOnOne) {
   const Communicator self(MPI_COMM_SELF);
   const Deck deck = small_discharge();
   const Outcome together = run(world, deck);
-  EXPECT_GT(together.left, 20);                // the gate has opened and grains have left
+  EXPECT_GT(together.left, 20);  // the gate has opened and grains have left
   EXPECT_GT(together.counters.rebuilds, 20);
   if (world.size() > 1) {
     EXPECT_GT(together.counters.bisections, 2);

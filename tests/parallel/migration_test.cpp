@@ -11,17 +11,12 @@
 namespace repose::test {
 namespace {
 
-const Communicator& world() {
-  static const Communicator comm(MPI_COMM_WORLD);
-  return comm;
-}
-
 /// Every id of `expected` is owned exactly once over all ranks.
-void expect_each_owned_once(const Particles& particles, const std::set<std::int64_t>& expected) {
+void expect_each_owned_once(const Communicator& world, const Particles& particles, const std::set<std::int64_t>& expected) {
   const std::vector<std::int64_t> mine(particles.id.begin(),
                                        particles.id.begin() + static_cast<std::ptrdiff_t>(particles.owned));
-  const std::vector<std::int64_t> all = world().gather(mine);
-  if (!world().is_root()) return;
+  const std::vector<std::int64_t> all = world.gather(mine);
+  if (!world.is_root()) return;
   EXPECT_EQ(all.size(), expected.size());
   EXPECT_EQ(std::set<std::int64_t>(all.begin(), all.end()), expected);
 }
@@ -55,22 +50,27 @@ void expect_luggage(const Particles& particles, const ContactMemory& memory) {
   }
 }
 
-void expect_at_home(const Particles& particles, const Decomposition& tree) {
+void expect_at_home(const Communicator& world, const Particles& particles, const Decomposition& tree) {
   EXPECT_EQ(particles.total(), particles.owned);
   EXPECT_EQ(particles.record.size(), particles.owned);
   for (std::size_t i = 0; i < particles.owned; ++i) {
-    EXPECT_EQ(tree.owner(particles.record[i].position), world().rank());
+    EXPECT_EQ(tree.owner(particles.record[i].position), world.rank());
   }
 }
 
-TEST(Migration, EveryParticleArrivesOnceWithItsMemories) {
+class Migration : public ::testing::Test {
+ protected:
+  const Communicator world{MPI_COMM_WORLD};
+};
+
+TEST_F(Migration, EveryParticleArrivesOnceWithItsMemories) {
   for (const std::int64_t count : {0, 1, 3, 2000}) {
     ContactMemory memory;
-    Particles particles = dealt_out(world(), count, memory);
-    const Decomposition tree = bisect(world(), particles);
-    migrate(world(), tree, particles, memory);
-    expect_each_owned_once(particles, ids_up_to(count));
-    expect_at_home(particles, tree);
+    Particles particles = dealt_out(world, count, memory);
+    const Decomposition tree = bisect(world, particles);
+    migrate(world, tree, particles, memory);
+    expect_each_owned_once(world, particles, ids_up_to(count));
+    expect_at_home(world, particles, tree);
     expect_luggage(particles, memory);
     for (std::size_t i = 0; i < particles.owned; ++i) {
       EXPECT_TRUE(same(particles.record[i], sample(particles.id[i]).record));
@@ -78,55 +78,53 @@ TEST(Migration, EveryParticleArrivesOnceWithItsMemories) {
   }
 }
 
-TEST(Migration, FollowsMovingParticles) {
+TEST_F(Migration, FollowsMovingParticles) {
   ContactMemory memory;
-  Particles particles = dealt_out(world(), 500, memory);
+  Particles particles = dealt_out(world, 500, memory);
   for (int round = 0; round < 5; ++round) {
     for (std::size_t i = 0; i < particles.owned; ++i) {
       particles.record[i].position += 0.05 * particles.record[i].velocity;
     }
-    const Decomposition tree = bisect(world(), particles);
-    migrate(world(), tree, particles, memory);
-    expect_each_owned_once(particles, ids_up_to(500));
-    expect_at_home(particles, tree);
+    const Decomposition tree = bisect(world, particles);
+    migrate(world, tree, particles, memory);
+    expect_each_owned_once(world, particles, ids_up_to(500));
+    expect_at_home(world, particles, tree);
     expect_luggage(particles, memory);
   }
 }
 
-TEST(Migration, DropsParkedParticlesAndGhosts) {
+TEST_F(Migration, DropsParkedParticlesAndGhosts) {
   ContactMemory memory;
-  Particles particles = dealt_out(world(), 300, memory);
-  const Decomposition tree = bisect(world(), particles);
-  migrate(world(), tree, particles, memory);
-  GhostExchange ghosts(world());
+  Particles particles = dealt_out(world, 300, memory);
+  const Decomposition tree = bisect(world, particles);
+  migrate(world, tree, particles, memory);
+  GhostExchange ghosts(world);
   ghosts.set_up(tree, {0.3, 0.0}, particles);
   std::set<std::int64_t> expected = ids_up_to(300);
   for (std::size_t i = 0; i < particles.owned; ++i) {
     if (particles.id[i] % 5 == 0) park(particles.record[i], particles.id[i]);
   }
   for (std::int64_t id = 0; id < 300; id += 5) expected.erase(id);
-  migrate(world(), tree, particles, memory);
-  expect_each_owned_once(particles, expected);
-  expect_at_home(particles, tree);
+  migrate(world, tree, particles, memory);
+  expect_each_owned_once(world, particles, expected);
+  expect_at_home(world, particles, tree);
   expect_luggage(particles, memory);
 }
 
-TEST(Migration, TheOrderDoesNotDependOnTheWayThere) {
+TEST_F(Migration, TheOrderDoesNotDependOnTheWayThere) {
   ContactMemory memory;
-  Particles in_turn = dealt_out(world(), 400, memory);
-  const Decomposition tree = bisect(world(), in_turn);
-  migrate(world(), tree, in_turn, memory);
+  Particles in_turn = dealt_out(world, 400, memory);
+  const Decomposition tree = bisect(world, in_turn);
+  migrate(world, tree, in_turn, memory);
 
   Particles from_one;
   ContactMemory other_memory;
-  if (world().is_root()) {
+  if (world.is_root()) {
     for (std::int64_t id = 399; id >= 0; --id) add_sample(id, from_one, other_memory);
   }
-  migrate(world(), tree, from_one, other_memory);
+  migrate(world, tree, from_one, other_memory);
   EXPECT_EQ(in_turn.id, from_one.id);
 }
-
-// ---- ghosts ----
 
 constexpr SkinRule rule = {0.3, 1e-4};
 
@@ -134,19 +132,19 @@ constexpr SkinRule rule = {0.3, 1e-4};
 struct Shell {
   Particles particles;
   Decomposition tree;
-  GhostExchange ghosts{world()};
+  GhostExchange ghosts;
   std::vector<double> reach;
 
-  explicit Shell(std::int64_t count) {
+  Shell(const Communicator& world, std::int64_t count) : ghosts(world) {
     ContactMemory memory;
-    particles = dealt_out(world(), count, memory);
-    tree = bisect(world(), particles);
-    migrate(world(), tree, particles, memory);
+    particles = dealt_out(world, count, memory);
+    tree = bisect(world, particles);
+    migrate(world, tree, particles, memory);
     reach = ghosts.set_up(tree, rule, particles);
   }
 };
 
-void expect_complete(const Shell& shell, std::int64_t count) {
+void expect_complete(const Communicator& world, const Shell& shell, std::int64_t count) {
   const Particles& p = shell.particles;
   ASSERT_EQ(shell.reach.size(), p.total());
   std::map<std::int64_t, std::size_t> held;
@@ -157,7 +155,7 @@ void expect_complete(const Shell& shell, std::int64_t count) {
     EXPECT_TRUE(same(p.record[i], s.record));
     EXPECT_EQ(p.material[i], s.material);
     EXPECT_EQ(shell.reach[i], reach_of(s.record, rule));
-    EXPECT_EQ(i < p.owned, shell.tree.owner(s.record.position) == world().rank());
+    EXPECT_EQ(i < p.owned, shell.tree.owner(s.record.position) == world.rank());
   }
   for (std::int64_t id = 0; id < count; ++id) {
     if (held.contains(id)) continue;
@@ -170,26 +168,31 @@ void expect_complete(const Shell& shell, std::int64_t count) {
   }
 }
 
-TEST(Ghosts, EveryPairWithinReachIsHere) {
+class Ghosts : public ::testing::Test {
+ protected:
+  const Communicator world{MPI_COMM_WORLD};
+};
+
+TEST_F(Ghosts, EveryPairWithinReachIsHere) {
   for (const std::int64_t count : {0, 1, 2, 3, 20, 1500}) {
-    const Shell shell(count);
-    expect_complete(shell, count);
+    const Shell shell(world, count);
+    expect_complete(world, shell, count);
   }
 }
 
-TEST(Ghosts, AreAShellNotEverything) {
-  const Shell shell(3000);
-  const std::int64_t ghosts = world().sum(static_cast<std::int64_t>(shell.particles.ghosts()));
-  if (world().size() == 1) {
+TEST_F(Ghosts, AreAShellNotEverything) {
+  const Shell shell(world, 3000);
+  const std::int64_t ghosts = world.sum(static_cast<std::int64_t>(shell.particles.ghosts()));
+  if (world.size() == 1) {
     EXPECT_EQ(ghosts, 0);
   } else {
     EXPECT_GT(ghosts, 10);
-    EXPECT_LT(ghosts, 3000 * (world().size() - 1) / 2);
+    EXPECT_LT(ghosts, 3000 * (world.size() - 1) / 2);
   }
 }
 
-TEST(Ghosts, MotionArrivesEveryTime) {
-  Shell shell(600);
+TEST_F(Ghosts, MotionArrivesEveryTime) {
+  Shell shell(world, 600);
   Particles& p = shell.particles;
   for (int round = 1; round <= 20; ++round) {
     const auto position = [&](std::int64_t id) { return Vec3{1.0 * round, static_cast<double>(id), 0.5}; };
@@ -210,27 +213,27 @@ TEST(Ghosts, MotionArrivesEveryTime) {
   }
 }
 
-TEST(Ghosts, CanBeSetUpAgain) {
-  Shell shell(400);
+TEST_F(Ghosts, CanBeSetUpAgain) {
+  Shell shell(world, 400);
   for (int round = 0; round < 4; ++round) {
     ContactMemory memory;
     for (std::size_t i = 0; i < shell.particles.owned; ++i) {
       memory.pairs.append_row({});
       memory.walls.append_row({});
     }
-    shell.tree = bisect(world(), shell.particles);
-    migrate(world(), shell.tree, shell.particles, memory);
+    shell.tree = bisect(world, shell.particles);
+    migrate(world, shell.tree, shell.particles, memory);
     shell.reach = shell.ghosts.set_up(shell.tree, rule, shell.particles);
-    expect_complete(shell, 400);
+    expect_complete(world, shell, 400);
     shell.ghosts.start(shell.particles);
     shell.ghosts.finish(shell.particles);
-    expect_complete(shell, 400);
+    expect_complete(world, shell, 400);
   }
 }
 
 // A particle parked by its owner is out of reach on every rank after the next exchange.
-TEST(Ghosts, ParkedParticlesAreParkedEverywhere) {
-  Shell shell(300);
+TEST_F(Ghosts, ParkedParticlesAreParkedEverywhere) {
+  Shell shell(world, 300);
   Particles& p = shell.particles;
   for (std::size_t i = 0; i < p.owned; ++i) {
     if (p.id[i] % 2 == 0) park(p.record[i], p.id[i]);

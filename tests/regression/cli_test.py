@@ -5,6 +5,7 @@ Usage: cli_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 
 import json
 import os
+import pathlib
 import sys
 import tempfile
 import unittest
@@ -60,7 +61,7 @@ class CommandLine(unittest.TestCase):
         self.fails(2, "--set phase.settel.max_time", "run", self.quick, "--output", output, "--set",
                    "phase.settel.max_time=1")
         with open(self.path("bad.toml"), "w") as file:
-            file.write(open(self.quick).read().replace("density = 3592.0", "densty = 3592.0"))
+            file.write(pathlib.Path(self.quick).read_text().replace("density = 3592.0", "densty = 3592.0"))
         self.fails(2, r"bad\.toml:\d+:\d+: .*densty.*density", "run", self.path("bad.toml"), "--output", output)
         self.assertFalse(os.path.exists(output))
 
@@ -70,6 +71,31 @@ class CommandLine(unittest.TestCase):
     def test_missing_files_are_4(self):
         self.fails(4, "no_such.toml", "run", self.path("no_such.toml"), "--output", self.path("out"))
         self.fails(4, "summary|file|directory", "run", self.quick, "--output", self.quick)
+
+    def scene(self, grains, changes):
+        """A deck beside a list of grains: the quick deck with its fill replaced."""
+        text = pathlib.Path(self.quick).read_text()
+        begin, end = text.index("[[particles]]"), text.index("[[phase]]")
+        text = text[:begin] + '[[particles]]\ntype = "csv"\nfile = "grains.csv"\n\n' + text[end:]
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        pathlib.Path(self.path("deck.toml")).write_text(text)
+        pathlib.Path(self.path("grains.csv")).write_text("x,y,z,vx,vy,vz,wx,wy,wz,radius,material\n" + grains)
+        return self.path("deck.toml")
+
+    def test_listed_material_without_pair_is_2(self):
+        deck = self.scene("0,0,0.01,0,0,0,0,0,0,2e-4,steel\n", [])
+        self.fails(2, r'no \[\[pair\]\] for "steel" and "steel"', "check", deck)
+
+    def test_leaving_beside_an_infinite_plane_is_counted(self):
+        deck = self.scene("0.0145,0,-0.0097,0.5,0,0,0,0,0,3e-4,carbohsp\n",
+                          [('type = "rectangle"', 'type = "plane"\npoint = [0.0, 0.0, -0.01]'),
+                           ('corner = ["-15 mm", "-15 mm", "-10 mm"]\n', ""), ('edge_u = ["30 mm", 0.0, 0.0]\n', ""),
+                           ('edge_v = [0.0, "30 mm", 0.0]\n', ""), ('"40 mm"]\n', '"40 mm"]\n')])
+        s = self.program.run(deck, self.path("out"), "phase.settle.max_time=0.06")
+        self.assertEqual(s["particles"], {"inserted": 1, "inside": 0, "left": 1})
+        self.assertEqual(s["exits"]["x_max"], 1)
 
     def test_broken_physics_is_3_on_all_ranks(self):
         for ranks in (0, 2):
@@ -107,7 +133,7 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(s["angle_of_repose_deg"], mean, places=9)
         for name in ("silhouette.png", "run.hdf.series", "deck.resolved.toml"):
             self.assertTrue(os.path.getsize(os.path.join(output, name)) > 0, name)
-        series = json.load(open(os.path.join(output, "run.hdf.series")))
+        series = json.loads(pathlib.Path(output, "run.hdf.series").read_text())
         for file in series["files"]:
             self.assertTrue(os.path.exists(os.path.join(output, file["name"])))
         rows = read_series(output)

@@ -1,8 +1,8 @@
 #include "support/scenes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 namespace repose::test {
 namespace {
@@ -51,7 +51,8 @@ WallDeck floor_at(double height) {
 
 Scene::Scene(Deck deck, const std::vector<Grain>& grains, VectorLevel level)
     : comm_(MPI_COMM_WORLD),
-      simulation_(comm_, with_csv(std::move(deck)), [&](const std::string&) { return csv_of(grains); }, level) {}
+      simulation_(
+          comm_, with_csv(std::move(deck)), [&](const std::string&) { return csv_of(grains); }, level) {}
 
 std::vector<Grain> Scene::grains() const {
   const Particles& particles = simulation_.particles();

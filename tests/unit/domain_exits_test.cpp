@@ -63,19 +63,26 @@ TEST(Exits, TheFaceFurthestBehindCounts) {
   EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{1, 0, 0, 1, 0, 0}));
 }
 
-TEST(Exits, FacesAndCornersBelongToTheDomain) {
+// As at insertion: the lower faces belong to the domain, the upper ones do not.
+TEST(Exits, LowerFacesAreInsideUpperOnesOutside) {
   Exits e;
-  for (const double x : {-1.0, 0.0, 1.0}) {
-    for (const double y : {-2.0, 0.0, 2.0}) {
-      for (const double z : {-3.0, 0.0, 3.0}) e.add({x, y, z});
+  for (const double x : {-1.0, 0.0, std::nextafter(1.0, 0.0)}) {
+    for (const double y : {-2.0, 0.0, std::nextafter(2.0, 0.0)}) {
+      for (const double z : {-3.0, 0.0, std::nextafter(3.0, 0.0)}) e.add({x, y, z});
     }
   }
   e.retire();
   EXPECT_EQ(std::count_if(e.particles.record.begin(), e.particles.record.end(), is_parked), 0);
-  e.particles.record[26].position.x = std::nextafter(1.0, 2.0);
+  const Vec3 outside[6] = {{1.0, 0.0, 0.0},
+                           {0.0, 2.0, 0.0},
+                           {0.0, 0.0, 3.0},
+                           {std::nextafter(-1.0, -2.0), 0.0, 0.0},
+                           {0.0, std::nextafter(-2.0, -3.0), 0.0},
+                           {0.0, 0.0, std::nextafter(-3.0, -4.0)}};
+  for (std::size_t i = 0; i < 6; ++i) e.particles.record[i].position = outside[i];
   e.retire();
-  EXPECT_TRUE(is_parked(e.particles.record[26]));
-  EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{0, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(std::count_if(e.particles.record.begin(), e.particles.record.end(), is_parked), 6);
+  EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{1, 1, 1, 1, 1, 1}));
 }
 
 TEST(Exits, LeaversAreParkedOnceAndApart) {

@@ -37,6 +37,8 @@ Deck deck_with(const std::vector<ParticlesDeck>& blocks) {
   deck.materials[0].density = 7800.0;
   deck.materials[1].name = "grain";
   deck.materials[1].density = 1000.0;
+  deck.pairs = {
+      {{"steel", "steel"}, 0.5, 0.5, 0.1}, {{"steel", "grain"}, 0.5, 0.5, 0.1}, {{"grain", "grain"}, 0.5, 0.5, 0.1}};
   deck.particles = blocks;
   return deck;
 }
@@ -76,6 +78,13 @@ TEST(InsertParticles, NumbersTheBlocksOneAfterTheOther) {
   double mass = 0.0;
   for (std::size_t i = 1; i <= each; ++i) mass += sphere_mass(particles.radius[i], 1000.0);
   EXPECT_NEAR(mass, 0.05, 0.5 * sphere_mass(0.005, 1000.0));
+}
+
+TEST(InsertParticles, EveryTwoMaterialsThatCanTouchNeedAPair) {
+  Deck deck = deck_with({csv_block("ball.csv")});
+  deck.pairs = {{{"grain", "grain"}, 0.5, 0.5, 0.1}};
+  EXPECT_EQ(insert(deck, "0,0,0,0,0,0,0,0,0,0.01,grain\n").size(), 1u);
+  expect_error(deck, "0,0,0,0,0,0,0,0,0,0.01,steel\n", "no [[pair]] for \"steel\" and \"steel\"");
 }
 
 TEST(InsertParticles, RepeatsItself) {

@@ -81,13 +81,17 @@ void Simulation::step() {
   ++steps_;
 }
 
-/// The state of the lists, and whether any rank raised an alarm, in one reduction.
-ListState Simulation::agreed_list_state() {
-  constexpr int alarmed = 3;
-  const int here = alarm_.empty() ? static_cast<int>(watch_.state(particles_)) : alarmed;
+/// What the lists need, agreed among the ranks together with whether any raised an alarm. A second reduction only when
+/// an inner list has to be made anew.
+Simulation::ListState Simulation::agreed_list_state() {
+  constexpr int moved = 1;
+  constexpr int alarmed = 2;
+  const int here = !alarm_.empty() ? alarmed : watch_.inner_is_used_up(particles_) ? moved : 0;
   const int worst = comm_.size() == 1 ? here : comm_.max(here);
   if (worst == alarmed) check_guards();
-  return static_cast<ListState>(worst);
+  if (worst == 0) return ListState::valid;
+  const int short_here = watch_.outer_is_too_short(particles_) ? 1 : 0;
+  return comm_.max(short_here) != 0 ? ListState::outer_stale : ListState::inner_stale;
 }
 
 void Simulation::rebuild_lists() {

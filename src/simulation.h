@@ -66,6 +66,9 @@ class Simulation {
   std::optional<std::string> take_warning();
 
  private:
+  /// What the neighbour lists need after the particles have moved.
+  enum class ListState { valid, inner_stale, outer_stale };
+
   void insert(const NewParticles& all);
   void rebuild_lists();
   void balance();

@@ -15,11 +15,12 @@ inline constexpr std::int64_t fixed_point_offset_bits = std::bit_cast<std::int64
 
 constexpr double to_fixed_point(double value, double scale) { return value * scale + fixed_point_offset; }
 
-/// Adds an offset value (to_fixed_point) to a sum; false when it was out of range.
+/// Adds an offset value (to_fixed_point) to a sum; false, and nothing added, when it is out of range.
 constexpr bool add_fixed_point(double offset_value, std::int64_t& sum) {
   const auto bits = std::bit_cast<std::int64_t>(offset_value);
-  sum += bits - fixed_point_offset_bits;
-  return ((bits ^ fixed_point_offset_bits) >> fixed_point_bits) == 0;
+  const bool in_range = ((bits ^ fixed_point_offset_bits) >> fixed_point_bits) == 0;
+  if (in_range) sum += bits - fixed_point_offset_bits;
+  return in_range;
 }
 
 }  // namespace repose

@@ -48,28 +48,28 @@ struct LaneForces {
 }
 
 [[gnu::always_inline]] inline void add_quad(const double* c0, const double* c1, const double* c2,
-                                            std::int64_t* const* sums, QuadInt& out_of_range) {
+                                            std::int64_t* const* sums, QuadBits& out_of_range) {
   Quad rows[4];
   std::memcpy(&rows[0], c0, sizeof(Quad));
   std::memcpy(&rows[1], c1, sizeof(Quad));
   std::memcpy(&rows[2], c2, sizeof(Quad));
   rows[3] = Quad{fixed_point_offset, fixed_point_offset, fixed_point_offset, fixed_point_offset};
   transpose(rows[0], rows[1], rows[2], rows[3]);
-  const QuadInt offset = {fixed_point_offset_bits, fixed_point_offset_bits, fixed_point_offset_bits,
-                          fixed_point_offset_bits};
+  constexpr auto offset_bits = std::bit_cast<std::uint64_t>(fixed_point_offset);
+  const QuadBits offset = {offset_bits, offset_bits, offset_bits, offset_bits};
   for (int lane = 0; lane < 4; ++lane) {
-    QuadInt bits;
-    QuadInt sum;
-    std::memcpy(&bits, &rows[lane], sizeof(QuadInt));
-    std::memcpy(&sum, sums[lane], sizeof(QuadInt));
+    QuadBits bits;
+    QuadBits sum;  // unsigned: what is out of range wraps until the alarm is seen
+    std::memcpy(&bits, &rows[lane], sizeof(QuadBits));
+    std::memcpy(&sum, sums[lane], sizeof(QuadBits));
     out_of_range |= bits ^ offset;
     sum += bits - offset;
-    std::memcpy(sums[lane], &sum, sizeof(QuadInt));
+    std::memcpy(sums[lane], &sum, sizeof(QuadBits));
   }
 }
 
 [[gnu::always_inline]] inline void scatter(const LaneForces& lanes, const std::int32_t* index, ForceSum* sums,
-                                           QuadInt& out_of_range) {
+                                           QuadBits& out_of_range) {
   for (int k = 0; k < block_lanes; k += 4) {
     std::int64_t* force[4];
     std::int64_t* torque[4];
@@ -179,10 +179,10 @@ struct LaneForces {
     gather(records, block.first, a);
     gather(records, block.second, b);
     alarms.too_deep += evaluate_lanes(block, pair, dt, max_overlap, a, b, on_a, on_b);
-    QuadInt out_of_range = {0, 0, 0, 0};
+    QuadBits out_of_range = {0, 0, 0, 0};
     scatter(on_a, block.first, sums, out_of_range);
     scatter(on_b, block.second, sums, out_of_range);
-    const std::int64_t any = out_of_range[0] | out_of_range[1] | out_of_range[2] | out_of_range[3];
+    const std::uint64_t any = out_of_range[0] | out_of_range[1] | out_of_range[2] | out_of_range[3];
     alarms.out_of_range += (any >> fixed_point_bits) != 0 ? 1 : 0;
   }
   return alarms;

@@ -8,6 +8,7 @@ namespace repose {
 /// Four doubles as one vector value; the compiler maps it to the registers of the instruction set at hand.
 using Quad = double __attribute__((vector_size(32)));
 using QuadInt = std::int64_t __attribute__((vector_size(32)));
+using QuadBits = std::uint64_t __attribute__((vector_size(32)));
 
 /// Rows become columns, in place. Everything is inlined: the type has no calling convention shared by all vector
 /// levels.

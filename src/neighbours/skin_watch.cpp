@@ -16,27 +16,31 @@ void SkinWatch::lists_rebuilt(const Particles& particles) {
   mark(particles, inner_, inner_marks_);
 }
 
-ListState SkinWatch::state(const Particles& particles) const {
+bool SkinWatch::inner_is_used_up(const Particles& particles) const {
   bool moved = false;
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const Mark& m = inner_marks_[i];
     moved |= squared_norm(particles.record[i].position - m.position) >= m.skin * m.skin;
   }
-  if (!moved) return ListState::valid;
+  if (!moved) return false;
+  bool moved_inside = false;  // a parked particle is out of every contact, however far it went
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    const Mark& m = inner_marks_[i];
+    const ParticleRecord& p = particles.record[i];
+    moved_inside |= !is_parked(p) && squared_norm(p.position - m.position) >= m.skin * m.skin;
+  }
+  return moved_inside;
+}
 
-  bool stale = false;
-  bool moved_inside = false;
+bool SkinWatch::outer_is_too_short(const Particles& particles) const {
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const ParticleRecord& p = particles.record[i];
-    if (is_parked(p)) continue;  // out of every contact, wherever it went
-    const Mark& inner = inner_marks_[i];
-    const Mark& outer = outer_marks_[i];
-    moved_inside |= squared_norm(p.position - inner.position) >= inner.skin * inner.skin;
-    const double left = outer.skin - skin_of(p, inner_);
-    stale |= left <= 0.0 || squared_norm(p.position - outer.position) >= left * left;
+    if (is_parked(p)) continue;
+    const Mark& m = outer_marks_[i];
+    const double left = m.skin - skin_of(p, inner_);
+    if (left <= 0.0 || squared_norm(p.position - m.position) >= left * left) return true;
   }
-  if (!moved_inside) return ListState::valid;
-  return stale ? ListState::outer_stale : ListState::inner_stale;
+  return false;
 }
 
 }  // namespace repose

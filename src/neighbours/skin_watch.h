@@ -8,9 +8,6 @@
 
 namespace repose {
 
-/// What a list needs after the particles have moved; the worst over all ranks counts for all.
-enum class ListState : int { valid = 0, inner_stale = 1, outer_stale = 2 };
-
 /// Watches the owned particles' way since the inner and the outer neighbour lists were made.
 class SkinWatch {
  public:
@@ -19,9 +16,11 @@ class SkinWatch {
   void lists_rebuilt(const Particles& particles);
   void inner_selected(const Particles& particles);
 
-  /// inner_stale when a particle has moved by its inner skin; outer_stale when, in addition, one has too little left of
-  /// its outer skin for another inner list.
-  ListState state(const Particles& particles) const;
+  /// Whether a particle has moved by its inner skin.
+  bool inner_is_used_up(const Particles& particles) const;
+  /// Whether a particle has too little left of its outer skin for another inner list. To be asked on all ranks as soon
+  /// as the inner skin is used up on any: a new inner list grants every particle another inner skin.
+  bool outer_is_too_short(const Particles& particles) const;
 
   const SkinRule& inner() const { return inner_; }
   const SkinRule& outer() const { return outer_; }

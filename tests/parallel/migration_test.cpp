@@ -1,18 +1,20 @@
 // Particles that change their rank, with their memories, and the ghosts around each rank.
+#include "domain/migration.h"
+
 #include <map>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "domain/ghost_exchange.h"
-#include "domain/migration.h"
 #include "domain_samples.h"
 
 namespace repose::test {
 namespace {
 
 /// Every id of `expected` is owned exactly once over all ranks.
-void expect_each_owned_once(const Communicator& world, const Particles& particles, const std::set<std::int64_t>& expected) {
+void expect_each_owned_once(const Communicator& world, const Particles& particles,
+                            const std::set<std::int64_t>& expected) {
   const std::vector<std::int64_t> mine(particles.id.begin(),
                                        particles.id.begin() + static_cast<std::ptrdiff_t>(particles.owned));
   const std::vector<std::int64_t> all = world.gather(mine);

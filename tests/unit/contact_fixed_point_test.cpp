@@ -17,9 +17,12 @@ std::int64_t rounded(double value, double scale = 1.0) {
   return sum;
 }
 
+/// What does not fit must leave the sum as it was.
 bool fits(double value) {
-  std::int64_t sum = 0;
-  return add_fixed_point(to_fixed_point(value, 1.0), sum);
+  std::int64_t sum = 7;
+  const bool added = add_fixed_point(to_fixed_point(value, 1.0), sum);
+  EXPECT_EQ(sum != 7, added);
+  return added;
 }
 
 TEST(FixedPoint, RoundsToTheNearestTiesToEven) {

@@ -77,7 +77,8 @@ TEST(WallContacts, ForceAndTorqueByHand) {
   contact.mass_eff = sphere_mass(radius, 3592.0);
   contact.normal_velocity = -0.003;
   const double arm = 0.995 * radius;
-  contact.tangential_velocity = {0.002 - arm * 5.0, 0.0, 0.0};  // v - w x (arm n): backwards where the grain rolls ahead
+  contact.tangential_velocity = {0.002 - arm * 5.0, 0.0,
+                                 0.0};  // v - w x (arm n): backwards where the grain rolls ahead
   contact.rolling_velocity = {0.0, 5.0 * arm / (0.99 * radius), 0.0};
   ContactHistory history;
   const ContactForces forces = contact_law(pair, contact, dt, history);

@@ -78,7 +78,8 @@ TEST(FixedPointScales, ArePowersOfTwoThatHoldTheGreatestForce) {
     int exponent = 0;
     EXPECT_EQ(std::frexp(force_scale, &exponent), 0.5);
     EXPECT_EQ(std::frexp(torque_scale, &exponent), 0.5);
-    // Hertz's force on a wall of the stiffest partner, at 0.3 of the radius, four times over: at least 50, below 51 bits
+    // Hertz's force on a wall of the stiffest partner, at 0.3 of the radius, four times over: at least 50, below 51
+    // bits
     const double stiffness = materials.pair(0, 1).youngs_modulus_eff;
     const double force = 4.0 * 4.0 / 3.0 * stiffness * std::sqrt(0.3) * 0.3 * radius * radius;
     for (const double most : {force * force_scale, force * radius * torque_scale}) {

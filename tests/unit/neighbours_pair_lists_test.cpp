@@ -16,7 +16,7 @@ Csr<PairMemory> nothing(std::size_t owned) { return Csr<PairMemory>::group(owned
 
 std::vector<CloudOptions> clouds() {
   CloudOptions sparse{.count = 300, .box = 0.1};
-  CloudOptions dense{.count = 600, .box = 0.02};
+  CloudOptions dense{.count = 600, .box = 0.02, .speed = 0.0};
   CloudOptions mixed{.count = 900, .smallest = 2e-4, .largest = 2e-3, .box = 0.02};
   CloudOptions fast{.count = 600, .smallest = 2e-4, .largest = 2e-3, .box = 0.04, .fast_share = 0.05};
   CloudOptions single{.count = 1};
@@ -140,9 +140,7 @@ ContactHistory tagged(const IdPair& pair) {
   return {{1e-9 * a, -1e-9 * b, 1e-12}, {a, 0.0, b}};
 }
 
-bool same(const ContactHistory& a, const ContactHistory& b) {
-  return a.spring == b.spring && a.rolling == b.rolling;
-}
+bool same(const ContactHistory& a, const ContactHistory& b) { return a.spring == b.spring && a.rolling == b.rolling; }
 
 void give_histories(const Particles& p, PairLists& lists) {
   for (PairGroup& group : lists.groups()) {

@@ -13,6 +13,7 @@ struct CloudOptions {
   double smallest = 1e-3;  ///< m
   double largest = 1e-3;   ///< m
   double box = 0.02;       ///< m, edge of the cube that holds all centres
+  double speed = 0.05;  ///< m/s, greatest component; 0 gives grains of one size the same reach
   double fast_share = 0.0;
   double fast_speed = 50.0;  ///< m/s
 };
@@ -26,7 +27,7 @@ inline Particles random_cloud(std::uint64_t seed, const CloudOptions& options) {
     record.position = draw.vector(0.5 * options.box);
     record.radius = draw(options.smallest, options.largest);
     const bool fast = draw(0.0, 1.0) < options.fast_share;
-    record.velocity = draw.vector(fast ? options.fast_speed : 0.05);
+    record.velocity = draw.vector(fast ? options.fast_speed : options.speed);
     p.record.push_back(record);
     p.id.push_back(static_cast<std::int64_t>((7919 * i + 13) % 1000003));
     p.material.push_back(static_cast<std::int32_t>(draw.below(2)));

@@ -13,7 +13,7 @@ struct CloudOptions {
   double smallest = 1e-3;  ///< m
   double largest = 1e-3;   ///< m
   double box = 0.02;       ///< m, edge of the cube that holds all centres
-  double speed = 0.05;  ///< m/s, greatest component; 0 gives grains of one size the same reach
+  double speed = 0.05;     ///< m/s, greatest component; 0 gives grains of one size the same reach
   double fast_share = 0.0;
   double fast_speed = 50.0;  ///< m/s
 };

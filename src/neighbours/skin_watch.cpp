@@ -17,19 +17,13 @@ void SkinWatch::lists_rebuilt(const Particles& particles) {
 }
 
 bool SkinWatch::inner_is_used_up(const Particles& particles) const {
-  bool moved = false;
   for (std::size_t i = 0; i < particles.owned; ++i) {
-    const Mark& m = inner_marks_[i];
-    moved |= squared_norm(particles.record[i].position - m.position) >= m.skin * m.skin;
-  }
-  if (!moved) return false;
-  bool moved_inside = false;  // a parked particle is out of every contact, however far it went
-  for (std::size_t i = 0; i < particles.owned; ++i) {
-    const Mark& m = inner_marks_[i];
     const ParticleRecord& p = particles.record[i];
-    moved_inside |= !is_parked(p) && squared_norm(p.position - m.position) >= m.skin * m.skin;
+    const Mark& m = inner_marks_[i];
+    const bool moved = squared_norm(p.position - m.position) >= m.skin * m.skin;
+    if (moved && !is_parked(p)) return true;  // a parked particle is out of every contact, however far it went
   }
-  return moved_inside;
+  return false;
 }
 
 bool SkinWatch::outer_is_too_short(const Particles& particles) const {

@@ -25,6 +25,7 @@ class Phase {
   std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every) const;
 
   std::int64_t steps_done(const Simulation& simulation) const { return simulation.steps() - first_step_; }
+  std::int64_t steps_left(const Simulation& simulation) const { return longest_ - steps_done(simulation); }
   const PhaseDeck& deck() const { return deck_; }
 
  private:

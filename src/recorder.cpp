@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include "base/error.h"
 #include "measurement/discharged_mass.h"
@@ -103,7 +104,23 @@ void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
   if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
 }
 
-void Recorder::step_done(const Simulation& simulation, const Phase& phase) {
+std::int64_t Recorder::steps_to_next(const Simulation& simulation) const {
+  const Deck& deck = simulation.deck();
+  const std::int64_t step = simulation.steps();
+  std::int64_t next = deck.run.check_every - step % deck.run.check_every;
+  const auto regularly = [&](std::int64_t interval) {
+    if (interval > 0) next = std::min(next, interval - step % interval);
+  };
+  regularly(series_every_);
+  regularly(snapshot_every_);
+  if (deck.output.trace) regularly(deck.output.trace_every);
+  for (const std::int64_t s : snapshot_steps_) {
+    if (s > step) next = std::min(next, s - step);
+  }
+  return next;
+}
+
+void Recorder::steps_done(const Simulation& simulation, const Phase& phase) {
   const Deck& deck = simulation.deck();
   const std::int64_t step = simulation.steps();
   const bool trace = deck.output.trace && step % deck.output.trace_every == 0;
@@ -111,7 +128,8 @@ void Recorder::step_done(const Simulation& simulation, const Phase& phase) {
   const bool series = series_every_ > 0 && step % series_every_ == 0;
   const bool snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) ||
                         std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end();
-  particle_steps_ += static_cast<double>(inside_);
+  particle_steps_ += static_cast<double>((step - counted_steps_) * inside_);
+  counted_steps_ = step;
   if (trace || check || series || snapshot) simulation.check_guards();  // no bad state gets into a file
   if (trace) write_trace(simulation);
   if (check) {
@@ -244,12 +262,45 @@ void Recorder::measure_pile(const Simulation& simulation, Summary& summary) {
   });
 }
 
-Summary Recorder::finish(const Simulation& simulation) {
+/// What the time loop has cost so far: time, by stage too, and memory.
+void Recorder::measure_cost(Simulation& simulation, Summary& summary) const {
+  const Communicator& comm = simulation.comm();
+  simulation.clock().enter(Stage::output);
+  summary.loop_wall_seconds = seconds_since(start_);
+  std::array<double, stage_names.size()> sum = simulation.clock().seconds();
+  std::array<double, stage_names.size()> longest = sum;
+  comm.sum_elements(std::span(sum.begin(), sum.end()));
+  comm.max_elements(std::span(longest.begin(), longest.end()));
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    summary.stages.push_back({stage_names[k], sum[k] / comm.size(), longest[k]});
+  }
+  std::array<double, 1> cpu = {static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC};
+  comm.sum_elements(std::span(cpu.begin(), cpu.end()));
+  summary.loop_cpu_seconds = cpu[0];
+  summary.particle_steps_per_cpu_second = particle_steps_ / cpu[0];
+
+  summary.list_rebuilds = simulation.counters().rebuilds;
+  summary.inner_selections = simulation.counters().inner_selections;
+  const auto inserted = static_cast<double>(simulation.inserted());
+  const auto per_particle = [&](std::size_t count) {
+    return static_cast<double>(comm.sum(static_cast<std::int64_t>(count))) / inserted;
+  };
+  summary.listed_pairs_per_particle = per_particle(simulation.pairs().listed());
+  summary.evaluated_pairs_per_particle = per_particle(simulation.pairs().lanes());
+
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  summary.memory_peak_bytes = comm.sum(std::int64_t{1024} * usage.ru_maxrss);
+  summary.memory_bytes_per_particle = per_particle(simulation.memory_bytes());
+}
+
+Summary Recorder::finish(Simulation& simulation) {
+  const Communicator& comm = simulation.comm();
+  Summary s;
+  measure_cost(simulation, s);
   write_snapshot_now(simulation);
   if (!phases_.empty()) write_series_row(simulation, phases_.back().name);
 
-  const Communicator& comm = simulation.comm();
-  Summary s;
   s.status = "done";
   s.title = simulation.deck().run.title;
   s.ranks = comm.size();

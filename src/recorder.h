@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,11 +33,13 @@ class Recorder {
   Recorder(const Simulation& simulation, const OutputOptions& options);
 
   void phase_begins(const Simulation& simulation, const Phase& phase);
-  void step_done(const Simulation& simulation, const Phase& phase);
+  /// Steps until something is due again: call steps_done after at most so many.
+  std::int64_t steps_to_next(const Simulation& simulation) const;
+  void steps_done(const Simulation& simulation, const Phase& phase);
   void phase_ended(const Simulation& simulation, const Phase& phase, const std::string& ended_by);
 
   /// Last snapshot, angle of repose and silhouette picture, summary.json. The summary is complete on rank 0.
-  Summary finish(const Simulation& simulation);
+  Summary finish(Simulation& simulation);
 
  private:
   void remove_earlier_results() const;
@@ -45,6 +48,7 @@ class Recorder {
   void write_trace(const Simulation& simulation);
   void write_snapshot_now(const Simulation& simulation);
   void report_progress(const Simulation& simulation, const Phase& phase);
+  void measure_cost(Simulation& simulation, Summary& summary) const;
   void measure_pile(const Simulation& simulation, Summary& summary);
   std::int64_t inside(const Simulation& simulation) const;
   std::string path(const std::string& file) const { return options_.directory + "/" + file; }
@@ -65,10 +69,12 @@ class Recorder {
   SnapshotSeries snapshots_;
   std::vector<PhaseSummary> phases_;
   std::chrono::steady_clock::time_point start_;
+  std::clock_t cpu_start_ = std::clock();
   std::chrono::steady_clock::time_point last_progress_;
   std::int64_t last_progress_step_ = 0;
   double particle_steps_ = 0.0;
-  std::int64_t inside_ = 0;  ///< at the last check
+  std::int64_t counted_steps_ = 0;  ///< of it
+  std::int64_t inside_ = 0;         ///< at the last check
 };
 
 }  // namespace repose

@@ -1,5 +1,6 @@
 #include "run.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -19,11 +20,11 @@ Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& rea
     recorder.phase_begins(simulation, phase);
     std::optional<std::string> ended_by = phase.ended_by(simulation, deck.run.check_every);
     while (!ended_by) {
-      simulation.step();
+      simulation.advance(std::min(phase.steps_left(simulation), recorder.steps_to_next(simulation)));
       if (const auto warning = simulation.take_warning(); warning && comm.is_root()) {
         fmt::print(stderr, "repose: warning: {}\n", *warning);
       }
-      recorder.step_done(simulation, phase);
+      recorder.steps_done(simulation, phase);
       ended_by = phase.ended_by(simulation, deck.run.check_every);
     }
     simulation.check_guards();

@@ -55,38 +55,64 @@ void Simulation::insert(const NewParticles& all) {
   particles_.owned = particles_.id.size();
 }
 
-void Simulation::step() {
+void Simulation::advance(std::int64_t steps) {
   const double dt = time_step_.step;
-  kick_half_step(deck_.gravity, dt, particles_);
-  drift(dt, particles_);
-  retire_leavers(deck_.domain, materials_, mass_unit_, particles_, left_);
-  switch (agreed_list_state()) {
+  for (std::int64_t k = 0; k < steps; ++k) {
+    clock_.enter(Stage::integration);
+    const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
+    const StepNotes notes = halves(level_, deck_.gravity, dt, deck_.domain, watch_.inner_marks(), particles_);
+    if (notes.outside > parked_) count_leavers(notes.outside);
+    renew_lists(agreed_list_state(notes.skin_used_up));
+    evaluate_forces(dt);
+    ++steps_;
+  }
+  clock_.enter(Stage::integration);
+  step_second_half(level_, deck_.gravity, dt, particles_);
+  clock_.enter(Stage::output);
+}
+
+/// Lists that hold every contact of this step, and the ghosts on their way.
+void Simulation::renew_lists(ListState state) {
+  switch (state) {
     case ListState::outer_stale:
+      clock_.enter(Stage::lists);
       rebuild_lists();
       break;
     case ListState::inner_stale:
+      clock_.enter(Stage::ghosts);
       ghosts_.start(particles_);
       ghosts_.finish(particles_);
-      pairs_.select_near(particles_, watch_.inner());
-      watch_.inner_selected(particles_);
+      clock_.enter(Stage::lists);
+      select_near();
       ++counters_.inner_selections;
       break;
     case ListState::valid:
+      clock_.enter(Stage::ghosts);
       ghosts_.start(particles_);
       ghosts_on_their_way_ = true;
       break;
   }
-  evaluate_forces(dt);
-  kick_half_step(deck_.gravity, dt, particles_);
-  ++steps_;
+}
+
+void Simulation::select_near() {
+  pairs_.select_near(particles_, watch_.inner());
+  wall_contacts_.select_near(particles_, walls_, watch_.inner());
+  watch_.inner_selected(particles_);
+}
+
+void Simulation::count_leavers(std::size_t outside) {
+  retire_leavers(deck_.domain, materials_, mass_unit_, particles_, left_);
+  watch_.ignore_parked(particles_);
+  parked_ = outside;
 }
 
 /// What the lists need, agreed among the ranks together with whether any raised an alarm. A second reduction only when
 /// an inner list has to be made anew.
-Simulation::ListState Simulation::agreed_list_state() {
+Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
   constexpr int moved = 1;
   constexpr int alarmed = 2;
-  const int here = !alarm_.empty() ? alarmed : watch_.inner_is_used_up(particles_) ? moved : 0;
+  const int here = !alarm_.empty() ? alarmed : inner_used_up ? moved : 0;
+  clock_.enter(Stage::agreement);
   const int worst = comm_.size() == 1 ? here : comm_.max(here);
   if (worst == alarmed) check_guards();
   if (worst == 0) return ListState::valid;
@@ -105,8 +131,9 @@ void Simulation::rebuild_lists() {
   add_lane_dummies(particles_);
   pairs_.build(particles_, reach, memory.pairs);
   wall_contacts_.build(particles_, walls_, reach, memory.walls);
-  pairs_.select_near(particles_, watch_.inner());
-  watch_.lists_rebuilt(particles_);
+  watch_.outer_listed(particles_);
+  select_near();
+  parked_ = 0;
   ++counters_.rebuilds;
 }
 
@@ -155,7 +182,6 @@ void Simulation::check_time_step() {
 }
 
 void Simulation::evaluate_forces(double dt) {
-  std::fill(particles_.sum.begin(), particles_.sum.end(), ForceSum{});
   const double max_overlap = deck_.guards.max_overlap;
   bool alarm = false;
   const auto evaluate = [&](bool interior) {
@@ -163,15 +189,19 @@ void Simulation::evaluate_forces(double dt) {
       if (group.interior != interior) continue;
       const PairParameters& pair = materials_.pair(static_cast<std::size_t>(group.material_first),
                                                    static_cast<std::size_t>(group.material_second));
-      alarm |=
-          evaluate_pairs(level_, group.blocks, pair, dt, max_overlap, particles_.record.data(), particles_.sum.data())
-              .any();
+      alarm |= evaluate_pairs(level_, group.blocks, group.fetch, pair, dt, max_overlap, particles_.record.data(),
+                              particles_.sum.data())
+                   .any();
     }
   };
+  clock_.enter(Stage::pair_contacts);
   evaluate(true);
+  clock_.enter(Stage::wall_contacts);
   alarm |= wall_contacts_.evaluate(walls_, materials_, dt, max_overlap, particles_).any();
+  clock_.enter(Stage::ghosts);
   if (ghosts_on_their_way_) ghosts_.finish(particles_);
   ghosts_on_their_way_ = false;
+  clock_.enter(Stage::pair_contacts);
   evaluate(false);
   if (alarm && alarm_.empty()) {
     alarm_ = describe_alarm(particles_, pairs_, wall_contacts_, walls_, max_overlap, dt > 0.0 ? steps_ + 1 : 0);
@@ -185,6 +215,10 @@ void Simulation::check_guards() const {
   std::string message = alarm_;
   comm_.broadcast(message, first);
   throw PhysicsError(message);
+}
+
+std::size_t Simulation::memory_bytes() const {
+  return particles_.bytes() + pairs_.bytes() + wall_contacts_.bytes() + watch_.bytes();
 }
 
 void Simulation::set_wall_present(const std::string& name, bool present) {

@@ -19,6 +19,7 @@
 #include "scene/materials.h"
 #include "scene/particles.h"
 #include "scene/wall.h"
+#include "stage_clock.h"
 
 namespace repose {
 
@@ -38,8 +39,10 @@ class Simulation {
   /// DeckError when particles do not fit or the time step is too long.
   Simulation(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level);
 
-  /// Collective. One time step. PhysicsError on all ranks when a guard of the step before was hit.
-  void step();
+  /// Collective. The next `steps` time steps (at least one); several in one call are a little faster. PhysicsError on
+  /// all ranks when a guard of an earlier step was hit.
+  void advance(std::int64_t steps);
+  void step() { advance(1); }
 
   /// Collective. PhysicsError on all ranks when a guard was hit since the last step: call before the state is used.
   void check_guards() const;
@@ -59,6 +62,10 @@ class Simulation {
   const TimeStep& time_step() const { return time_step_; }
   const RunCounters& counters() const { return counters_; }
   const ExitCount& left_here() const { return left_; }  ///< on this rank
+  /// Where this rank's time goes; whoever does something else between two steps enters Stage::output.
+  StageClock& clock() { return clock_; }
+  /// Bytes this rank holds for its particles, ghosts, neighbour lists and contact histories.
+  std::size_t memory_bytes() const;
   std::int64_t inserted() const { return inserted_; }
   std::int64_t steps() const { return steps_; }
   double time() const { return static_cast<double>(steps_) * time_step_.step; }
@@ -68,12 +75,15 @@ class Simulation {
  private:
   /// What the neighbour lists need after the particles have moved.
   enum class ListState { valid, inner_stale, outer_stale };
+  void count_leavers(std::size_t outside);
 
   void insert(const NewParticles& all);
   void rebuild_lists();
   void balance();
   void check_time_step();
-  ListState agreed_list_state();
+  ListState agreed_list_state(bool inner_used_up);
+  void renew_lists(ListState state);
+  void select_near();
   void evaluate_forces(double dt);
 
   const Communicator& comm_;
@@ -86,6 +96,7 @@ class Simulation {
   std::int64_t inserted_ = 0;
   MassUnit mass_unit_{1.0};
   ExitCount left_;
+  std::size_t parked_ = 0;  ///< of the owned particles, until the next rebuild drops them
   Decomposition decomposition_;
   GhostExchange ghosts_;
   bool ghosts_on_their_way_ = false;
@@ -93,6 +104,7 @@ class Simulation {
   PairLists pairs_;
   WallContacts wall_contacts_;
   std::int64_t steps_ = 0;
+  StageClock clock_;
   RunCounters counters_;
   std::string alarm_;  ///< the first guard hit on this rank, empty if none
   bool warned_of_time_step_ = false;

@@ -15,6 +15,9 @@ inline constexpr std::int64_t fixed_point_offset_bits = std::bit_cast<std::int64
 
 constexpr double to_fixed_point(double value, double scale) { return value * scale + fixed_point_offset; }
 
+/// The same of -value, bit for bit, for one operation less.
+constexpr double to_fixed_point_negated(double value, double scale) { return fixed_point_offset - value * scale; }
+
 /// Adds an offset value (to_fixed_point) to a sum; false, and nothing added, when it is out of range.
 constexpr bool add_fixed_point(double offset_value, std::int64_t& sum) {
   const auto bits = std::bit_cast<std::int64_t>(offset_value);

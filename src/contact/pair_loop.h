@@ -2,22 +2,13 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 
+#include "base/vector_level.h"
 #include "neighbours/contact_block.h"
 #include "scene/materials.h"
 #include "scene/particles.h"
 
 namespace repose {
-
-/// Instruction sets the pair loop is compiled for. All give the same bits.
-enum class VectorLevel { sse2, avx2, avx512 };
-
-/// The best level this processor has.
-VectorLevel best_vector_level();
-/// "auto", "sse2", "avx2" or "avx512"; throws DeckError for another word or a level the processor lacks.
-VectorLevel vector_level_from(const std::string& name);
-std::string to_string(VectorLevel level);
 
 /// What went wrong in a pair loop, as counts; the caller looks for the culprit.
 struct PairLoopAlarms {
@@ -27,8 +18,10 @@ struct PairLoopAlarms {
 };
 
 /// Evaluates the contact law on every lane of `blocks` and adds the forces and torques to the sums of both particles.
-/// Histories advance by `dt` s. `max_overlap` is the bound as a share of the smaller radius.
-PairLoopAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const PairParameters& pair, double dt,
-                              double max_overlap, const ParticleRecord* records, ForceSum* sums);
+/// Histories advance by `dt` s. `max_overlap` is the bound as a share of the smaller radius. `fetch`, if not empty, is
+/// that of the blocks: it changes nothing but the time.
+PairLoopAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const FetchList& fetch,
+                              const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
+                              ForceSum* sums);
 
 }  // namespace repose

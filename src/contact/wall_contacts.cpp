@@ -70,6 +70,21 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
       contacts_.push_back({static_cast<std::int32_t>(i), m.wall, m.feature, 0.0, m.history});
     }
   }
+  near_ = candidates_;
+}
+
+void WallContacts::select_near(const Particles& particles, std::span<const Wall> walls, const SkinRule& rule) {
+  near_.clear();
+  for (const Candidate& candidate : candidates_) {
+    const ParticleRecord& p = particles.record[static_cast<std::size_t>(candidate.particle)];
+    if (is_parked(p)) continue;
+    const double reach = reach_of(p, rule);
+    const auto first = candidate_walls_.begin() + candidate.first_wall;
+    const bool near = std::any_of(first, first + candidate.walls, [&](std::int32_t w) {
+      return distance(walls[static_cast<std::size_t>(w)], p.position) < reach;
+    });
+    if (near) near_.push_back(candidate);
+  }
 }
 
 /// The history of a touch: that of the same feature before, or of a touch that this one now stands for, or of a
@@ -96,9 +111,10 @@ WallAlarms WallContacts::evaluate(std::span<const Wall> walls, const MaterialTab
   WallAlarms alarms;
   TouchBuffer touches;
   std::size_t next = 0;  // of before_
-  for (const Candidate& candidate : candidates_) {
+  for (const Candidate& candidate : near_) {
     const ParticleRecord& p = particles.record[static_cast<std::size_t>(candidate.particle)];
     ForceSum& sum = particles.sum[static_cast<std::size_t>(candidate.particle)];
+    while (next < before_.size() && before_[next].particle < candidate.particle) ++next;
     const std::size_t first_before = next;
     while (next < before_.size() && before_[next].particle == candidate.particle) ++next;
     if (is_parked(p)) continue;

@@ -7,6 +7,7 @@
 #include "scene/contact_memory.h"
 #include "scene/materials.h"
 #include "scene/particles.h"
+#include "scene/reach.h"
 #include "scene/wall.h"
 
 namespace repose {
@@ -35,6 +36,9 @@ class WallContacts {
   void build(const Particles& particles, std::span<const Wall> walls, std::span<const double> reach,
              const Csr<WallMemory>& memory);
 
+  /// Narrows the list to what is within the reaches of `rule`, until select_near is called again.
+  void select_near(const Particles& particles, std::span<const Wall> walls, const SkinRule& rule);
+
   /// Evaluates the contact law with every present wall and adds force and torque to the particles' sums. Histories
   /// advance by `dt` s. A history follows its contact from one feature of a wall to the next, and across flush seams of
   /// two walls.
@@ -42,6 +46,10 @@ class WallContacts {
                       Particles& particles);
 
   std::span<const WallContact> contacts() const { return contacts_; }
+  std::size_t bytes() const {
+    return bytes_of(candidates_) + bytes_of(near_) + bytes_of(candidate_walls_) + bytes_of(contacts_) +
+           bytes_of(before_);
+  }
   /// The histories of all contacts, by owned particle.
   Csr<WallMemory> memory(std::size_t owned) const;
 
@@ -55,6 +63,7 @@ class WallContacts {
                            int touch) const;
 
   std::vector<Candidate> candidates_;
+  std::vector<Candidate> near_;  ///< those of them that select_near chose
   std::vector<std::int32_t> candidate_walls_;
   std::vector<WallContact> contacts_;  ///< in the order of the candidates
   std::vector<WallContact> before_;    ///< those of the step before, while evaluate runs

@@ -1,15 +1,74 @@
 #include "integration/velocity_verlet.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/quad.h"
+#include "deck/deck.h"
 #include "scene/materials.h"
 #include "scene/sphere.h"
 
 namespace repose {
 namespace {
 
-Vec3 to_vec3(const std::int64_t* sum) {
-  return {static_cast<double>(sum[0]), static_cast<double>(sum[1]), static_cast<double>(sum[2])};
+// A record is three quads: position and radius, velocity and force scale, spin and torque scale. What is added to the
+// fourth element is always zero.
+static_assert(sizeof(ParticleRecord) == 3 * sizeof(Quad));
+
+/// v += a dt/2 for velocity and spin, once or twice.
+template <int kicks>
+[[gnu::always_inline]] inline void kick(const Quad& gravity, double half, double force_to_acceleration,
+                                        double torque_to_acceleration, const QuadInt* sum, Quad* record) {
+  Quad force, torque;
+  to_double(sum[0], force);
+  to_double(sum[1], torque);
+  const Quad velocity_kick = half * (force_to_acceleration * force + gravity);
+  const Quad spin_kick = half * (torque_to_acceleration * torque);
+  for (int k = 0; k < kicks; ++k) {
+    record[1] += velocity_kick;
+    record[2] += spin_kick;
+  }
+}
+
+template <int kicks>
+[[gnu::always_inline]] inline StepNotes kick_and_drift(const Vec3& gravity_in, double dt, const DomainDeck& domain,
+                                                       std::span<const Mark> marks, Particles& particles) {
+  constexpr double no_bound = std::numeric_limits<double>::infinity();
+  const Quad gravity = {gravity_in.x, gravity_in.y, gravity_in.z, 0.0};
+  const Quad drift = {dt, dt, dt, 0.0};
+  const Quad low = {domain.min.x, domain.min.y, domain.min.z, -no_bound};
+  const Quad high = {domain.max.x, domain.max.y, domain.max.z, no_bound};
+  auto* record = reinterpret_cast<Quad*>(particles.record.data());
+  auto* sum = reinterpret_cast<QuadInt*>(particles.sum.data());
+  const auto* mark = reinterpret_cast<const Quad*>(marks.data());
+  const double* force_to_acceleration = particles.force_to_acceleration.data();
+  const double* torque_to_acceleration = particles.torque_to_acceleration.data();
+  StepNotes notes;
+  for (std::size_t i = 0; i < marks.size(); ++i, record += 3, sum += 2) {
+    kick<kicks>(gravity, 0.5 * dt, force_to_acceleration[i], torque_to_acceleration[i], sum, record);
+    sum[0] = QuadInt{};
+    sum[1] = QuadInt{};
+    const Quad position = record[0] + drift * record[1];
+    record[0] = position;
+    const QuadInt beyond = (position < low) | (position >= high);
+    notes.outside += (beyond[0] | beyond[1] | beyond[2]) != 0 ? 1 : 0;
+    const Quad way = position - mark[i];
+    const Quad squares = way * way;
+    notes.skin_used_up |= squares[0] + squares[1] + squares[2] >= mark[i][3];
+  }
+  std::fill(particles.sum.begin() + static_cast<std::ptrdiff_t>(marks.size()), particles.sum.end(), ForceSum{});
+  return notes;
+}
+
+[[gnu::always_inline]] inline void second_half(const Vec3& gravity_in, double dt, Particles& particles) {
+  const Quad gravity = {gravity_in.x, gravity_in.y, gravity_in.z, 0.0};
+  auto* records = reinterpret_cast<Quad*>(particles.record.data());
+  const auto* sums = reinterpret_cast<const QuadInt*>(particles.sum.data());
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    kick<1>(gravity, 0.5 * dt, particles.force_to_acceleration[i], particles.torque_to_acceleration[i], sums + 2 * i,
+            records + 3 * i);
+  }
 }
 
 /// Greatest power of two p with p * value < 2^(fixed_point_bits - 1).
@@ -21,21 +80,18 @@ double scale_for(double value) {
 
 }  // namespace
 
-void kick_half_step(const Vec3& gravity, double dt, Particles& particles) {
-  const double half = 0.5 * dt;
-  for (std::size_t i = 0; i < particles.owned; ++i) {
-    ParticleRecord& p = particles.record[i];
-    const ForceSum& sum = particles.sum[i];
-    p.velocity += half * (particles.force_to_acceleration[i] * to_vec3(sum.force) + gravity);
-    p.spin += half * (particles.torque_to_acceleration[i] * to_vec3(sum.torque));
-  }
+StepNotes step_first_half(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
+                          std::span<const Mark> marks, Particles& particles) {
+  return at_level(level, [&]() REPOSE_INLINE { return kick_and_drift<1>(gravity, dt, domain, marks, particles); });
 }
 
-void drift(double dt, Particles& particles) {
-  for (std::size_t i = 0; i < particles.owned; ++i) {
-    ParticleRecord& p = particles.record[i];
-    p.position += dt * p.velocity;
-  }
+StepNotes step_second_and_first_half(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
+                                     std::span<const Mark> marks, Particles& particles) {
+  return at_level(level, [&]() REPOSE_INLINE { return kick_and_drift<2>(gravity, dt, domain, marks, particles); });
+}
+
+void step_second_half(VectorLevel level, const Vec3& gravity, double dt, Particles& particles) {
+  at_level(level, [&]() REPOSE_INLINE { second_half(gravity, dt, particles); });
 }
 
 void set_fixed_point_scales(const MaterialTable& materials, double max_overlap, Particles& particles) {

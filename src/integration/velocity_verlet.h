@@ -1,15 +1,31 @@
 #pragma once
 
+#include <span>
+
+#include "base/vector_level.h"
 #include "scene/particles.h"
 
 namespace repose {
 
 class MaterialTable;
+struct DomainDeck;
 
-/// Velocity Verlet with forces from half-step velocities: v += a dt/2, x += v dt, [forces], v += a dt/2; the same for
-/// the spins. `gravity` in m/s2, `dt` in s. Owned particles only.
-void kick_half_step(const Vec3& gravity, double dt, Particles& particles);
-void drift(double dt, Particles& particles);
+/// What the first half of a step has noticed on its way over the particles.
+struct StepNotes {
+  std::size_t outside = 0;    ///< particles that are not within the domain, parked ones too
+  bool skin_used_up = false;  ///< some particle has moved by its skin since it was marked
+};
+
+/// Velocity Verlet with forces from half-step velocities: first half v += a dt/2, x += v dt, then the forces, then
+/// second half v += a dt/2; the same for the spins. `gravity` in m/s2, `dt` in s. Owned particles only. The first half
+/// leaves all force sums at zero, ready for the contacts; `marks` are one per owned particle.
+StepNotes step_first_half(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
+                          std::span<const Mark> marks, Particles& particles);
+void step_second_half(VectorLevel level, const Vec3& gravity, double dt, Particles& particles);
+
+/// The second half of a step and the first half of the next in one pass over the particles; the same bits.
+StepNotes step_second_and_first_half(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
+                                     std::span<const Mark> marks, Particles& particles);
 
 /// Sets force scales and the conversion to accelerations of all owned particles, from their radii and materials: one
 /// unit of the fixed-point sum is a power of two such that the greatest force a contact may have (at an overlap of

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "scene/contact_memory.h"
 
 namespace repose {
 
-inline constexpr int block_lanes = 64;
+inline constexpr int block_lanes = 32;
 
 /// A run of neighbour pairs and what their contacts remember, laid out for vector registers. `first` has the lower id;
 /// all vectors of a contact point from the second to the first. Lanes that are not in contact hold zero history, so
@@ -17,5 +20,29 @@ struct alignas(64) ContactBlock {
   double spring[3][block_lanes];   ///< m
   double rolling[3][block_lanes];  ///< N m
 };
+
+/// For each block of a run the particles that no block shortly before it uses: the pair loop would have to wait for
+/// their records and sums, if they were not asked for ahead.
+struct FetchList {
+  std::vector<std::int32_t> particles;  ///< block by block
+  std::vector<std::uint32_t> end;       ///< of each block's part of them
+
+  std::span<const std::int32_t> of_block(std::size_t block) const {
+    const std::uint32_t begin = block == 0 ? 0 : end[block - 1];
+    return {particles.data() + begin, end[block] - begin};
+  }
+};
+
+inline ContactHistory history(const ContactBlock& b, std::size_t k) {
+  return {{b.spring[0][k], b.spring[1][k], b.spring[2][k]}, {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]}};
+}
+inline void set_history(ContactBlock& b, std::size_t k, const ContactHistory& h) {
+  b.spring[0][k] = h.spring.x;
+  b.spring[1][k] = h.spring.y;
+  b.spring[2][k] = h.spring.z;
+  b.rolling[0][k] = h.rolling.x;
+  b.rolling[1][k] = h.rolling.y;
+  b.rolling[2][k] = h.rolling.z;
+}
 
 }  // namespace repose

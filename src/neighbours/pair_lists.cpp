@@ -7,30 +7,24 @@
 namespace repose {
 namespace {
 
-void set_history(ContactBlock& block, std::size_t k, const ContactHistory& h) {
-  block.spring[0][k] = h.spring.x;
-  block.spring[1][k] = h.spring.y;
-  block.spring[2][k] = h.spring.z;
-  block.rolling[0][k] = h.rolling.x;
-  block.rolling[1][k] = h.rolling.y;
-  block.rolling[2][k] = h.rolling.z;
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+ContactHistory history_of(const PairGroup& group, const PairGroup::Pair& pair) {
+  return pair.lane < 0 ? ContactHistory{} : lane_history(group, static_cast<std::size_t>(pair.lane));
 }
 
-/// Appends one lane; the rest of a new block names the two dummy particles behind the last ghost.
-void append_lane(PairGroup& group, std::vector<ContactBlock>& blocks, std::size_t lane, std::size_t dummy,
-                 const PairGroup::Pair& pair, const ContactHistory& history) {
-  const std::size_t k = lane % block_lanes;
-  if (k == 0) {
-    ContactBlock& block = blocks.emplace_back();
-    std::fill(std::begin(block.first), std::end(block.first), static_cast<std::int32_t>(dummy));
-    std::fill(std::begin(block.second), std::end(block.second), static_cast<std::int32_t>(dummy + 1));
-    for (auto& column : block.spring) std::fill(std::begin(column), std::end(column), 0.0);
-    for (auto& column : block.rolling) std::fill(std::begin(column), std::end(column), 0.0);
+void set_lane(ContactBlock& block, std::size_t k, std::int32_t first, std::int32_t second, const ContactHistory& h) {
+  block.first[k] = first;
+  block.second[k] = second;
+  set_history(block, k, h);
+}
+
+/// Fills the rest of the last block with the two dummy particles behind the last ghost.
+void fill_tail(BigVector<ContactBlock>& blocks, std::size_t lanes, std::size_t dummy) {
+  for (std::size_t lane = lanes; lane < block_lanes * blocks.size(); ++lane) {
+    set_lane(blocks.back(), lane % block_lanes, static_cast<std::int32_t>(dummy), static_cast<std::int32_t>(dummy + 1),
+             {});
   }
-  blocks.back().first[k] = pair.first;
-  blocks.back().second[k] = pair.second;
-  set_history(blocks.back(), k, history);
-  group.lanes = lane + 1;
 }
 
 /// The history that particle `owner` remembers of `partner`, blank when there is none.
@@ -40,8 +34,6 @@ ContactHistory remembered(const Csr<PairMemory>& memory, std::size_t owner, std:
   }
   return {};
 }
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -61,7 +53,8 @@ PairGroup& PairLists::group_for(const Particles& particles, std::size_t first, s
   for (PairGroup& g : groups_) {
     if (g.material_first == a && g.material_second == b && g.interior == interior) return g;
   }
-  return groups_.emplace_back(PairGroup{a, b, interior, {}, {}, 0});
+  return groups_.emplace_back(PairGroup{
+      .material_first = a, .material_second = b, .interior = interior, .pairs = {}, .blocks = {}, .fetch = {}});
 }
 
 void PairLists::build(const Particles& particles, std::span<const double> reach, const Csr<PairMemory>& memory) {
@@ -87,8 +80,9 @@ void PairLists::build(const Particles& particles, std::span<const double> reach,
                                                              : remembered(memory, second, particles.id[first]);
       PairGroup::Pair pair = {static_cast<std::int32_t>(first), static_cast<std::int32_t>(second), -1};
       if (!is_blank(history)) {
-        pair.lane = static_cast<std::int32_t>(group.lanes);
-        append_lane(group, group.blocks, group.lanes, particles.total(), pair, history);
+        if (group.lanes % block_lanes == 0) group.blocks.emplace_back();
+        set_lane(group.blocks.back(), group.lanes % block_lanes, pair.first, pair.second, history);
+        pair.lane = static_cast<std::int32_t>(group.lanes++);
       }
       group.pairs.push_back(pair);
     });
@@ -96,25 +90,56 @@ void PairLists::build(const Particles& particles, std::span<const double> reach,
 }
 
 void PairLists::select_near(const Particles& particles, const SkinRule& rule) {
+  reach_.resize(particles.total());
+  for (std::size_t i = 0; i < reach_.size(); ++i) reach_[i] = reach_of(particles.record[i], rule);
   for (PairGroup& group : groups_) {
-    std::vector<ContactBlock> blocks;
-    blocks.reserve(group.blocks.size() + 1);
-    std::size_t lane = 0;
-    for (PairGroup::Pair& pair : group.pairs) {
-      const ParticleRecord& a = particles.record[index(pair.first)];
-      const ParticleRecord& b = particles.record[index(pair.second)];
-      const double limit = reach_of(a, rule) + reach_of(b, rule);
-      if (squared_norm(a.position - b.position) >= limit * limit) {
-        pair.lane = -1;
-        continue;
-      }
-      const ContactHistory history = pair.lane < 0 ? ContactHistory{} : lane_history(group, index(pair.lane));
-      append_lane(group, blocks, lane, particles.total(), pair, history);
-      pair.lane = static_cast<std::int32_t>(lane++);
+    find_near(particles, group);
+    blocks_.resize((near_.size() + block_lanes - 1) / block_lanes);
+    std::size_t next = 0;
+    for (std::size_t lane = 0; lane < near_.size(); ++lane, ++next) {
+      for (; next < index(near_[lane]); ++next) group.pairs[next].lane = -1;
+      PairGroup::Pair& pair = group.pairs[next];
+      set_lane(blocks_[lane / block_lanes], lane % block_lanes, pair.first, pair.second, history_of(group, pair));
+      pair.lane = static_cast<std::int32_t>(lane);
     }
-    group.lanes = lane;
-    group.blocks = std::move(blocks);
+    for (; next < group.pairs.size(); ++next) group.pairs[next].lane = -1;
+    fill_tail(blocks_, near_.size(), particles.total());
+    std::swap(group.blocks, blocks_);
+    group.lanes = near_.size();
+    list_fetches(particles, group);
   }
+}
+
+void PairLists::list_fetches(const Particles& particles, PairGroup& group) {
+  constexpr std::uint32_t memory = 64;  // blocks whose particles are still in the second-level cache
+  used_.assign(particles.total() + 2, 0);
+  group.fetch.particles.clear();
+  group.fetch.end.clear();
+  for (std::uint32_t b = 0; b < group.blocks.size(); ++b) {
+    for (const auto* side : {group.blocks[b].first, group.blocks[b].second}) {
+      for (int k = 0; k < block_lanes; ++k) {
+        std::uint32_t& used = used_[index(side[k])];
+        if (used == 0 || b + 1 > used + memory) group.fetch.particles.push_back(side[k]);
+        used = b + 1;
+      }
+    }
+    group.fetch.end.push_back(static_cast<std::uint32_t>(group.fetch.particles.size()));
+  }
+}
+
+/// The pairs of a group that are closer than the sum of their reaches, by a loop without branches: which they are is
+/// hard to foresee.
+void PairLists::find_near(const Particles& particles, const PairGroup& group) {
+  near_.resize(group.pairs.size() + 1);
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < group.pairs.size(); ++p) {
+    const std::size_t a = index(group.pairs[p].first);
+    const std::size_t b = index(group.pairs[p].second);
+    const double limit = reach_[a] + reach_[b];
+    near_[count] = static_cast<std::int32_t>(p);
+    count += squared_norm(particles.record[a].position - particles.record[b].position) < limit * limit ? 1U : 0U;
+  }
+  near_.resize(count);
 }
 
 Csr<PairMemory> PairLists::memory(const Particles& particles) const {
@@ -147,6 +172,13 @@ std::size_t PairLists::listed() const {
   std::size_t count = 0;
   for (const PairGroup& g : groups_) count += g.pairs.size();
   return count;
+}
+
+std::size_t PairLists::bytes() const {
+  std::size_t count = 0;
+  for (const PairGroup& g : groups_)
+    count += bytes_of(g.pairs) + bytes_of(g.blocks) + bytes_of(g.fetch.particles) + bytes_of(g.fetch.end);
+  return count + bytes_of(used_) + bytes_of(reach_) + bytes_of(near_) + bytes_of(blocks_);
 }
 
 std::size_t PairLists::lanes() const {

@@ -23,9 +23,10 @@ struct PairGroup {
   std::int32_t material_first;
   std::int32_t material_second;
   bool interior;
-  std::vector<Pair> pairs;           ///< outer list: everything within the outer reaches
-  std::vector<ContactBlock> blocks;  ///< inner list: what the pair loop evaluates
-  std::size_t lanes = 0;             ///< used lanes of `blocks`
+  BigVector<Pair> pairs;           ///< outer list: everything within the outer reaches
+  BigVector<ContactBlock> blocks;  ///< inner list: what the pair loop evaluates
+  FetchList fetch;                 ///< for `blocks`
+  std::size_t lanes = 0;           ///< used lanes of `blocks`
 };
 
 /// The outer and inner neighbour lists of one rank, with the histories of its pair contacts.
@@ -36,7 +37,8 @@ class PairLists {
   /// afterwards.
   void build(const Particles& particles, std::span<const double> reach, const Csr<PairMemory>& memory);
 
-  /// Refills the inner lists with the listed pairs that are within the reaches of `rule`; histories stay.
+  /// Refills the inner lists with the listed pairs that are closer than the sum of their reaches by `rule`; histories
+  /// stay.
   void select_near(const Particles& particles, const SkinRule& rule);
 
   std::span<PairGroup> groups() { return groups_; }
@@ -50,11 +52,18 @@ class PairLists {
 
   std::size_t listed() const;  ///< pairs in the outer lists
   std::size_t lanes() const;   ///< pairs in the inner lists
+  std::size_t bytes() const;
 
  private:
+  void list_fetches(const Particles& particles, PairGroup& group);
+  void find_near(const Particles& particles, const PairGroup& group);
   PairGroup& group_for(const Particles& particles, std::size_t first, std::size_t second, bool interior);
 
   std::vector<PairGroup> groups_;
+  std::vector<double> reach_;        ///< of every particle, while select_near runs
+  std::vector<std::int32_t> near_;   ///< pairs of one group that it selects
+  BigVector<ContactBlock> blocks_;   ///< their lanes, until they replace the old ones
+  std::vector<std::uint32_t> used_;  ///< by each particle, while fetches are listed: the last block
 };
 
 /// Puts two dummy particles behind the last ghost, far from everything and from one another, and makes room for as many
@@ -63,9 +72,11 @@ void add_lane_dummies(Particles& particles);
 
 /// History of lane `lane` in a group's blocks.
 inline ContactHistory lane_history(const PairGroup& group, std::size_t lane) {
-  const ContactBlock& b = group.blocks[lane / block_lanes];
-  const std::size_t k = lane % block_lanes;
-  return {{b.spring[0][k], b.spring[1][k], b.spring[2][k]}, {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]}};
+  return history(group.blocks[lane / block_lanes], lane % block_lanes);
+}
+
+inline void set_lane_history(PairGroup& group, std::size_t lane, const ContactHistory& h) {
+  set_history(group.blocks[lane / block_lanes], lane % block_lanes, h);
 }
 
 /// Whether nothing is remembered: all bits are zero (a history of negative zeros is one, and is kept as it is).

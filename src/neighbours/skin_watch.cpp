@@ -1,29 +1,30 @@
 #include "neighbours/skin_watch.h"
 
-namespace repose {
+#include <limits>
 
-void SkinWatch::mark(const Particles& particles, const SkinRule& rule, std::vector<Mark>& marks) {
+namespace repose {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+void SkinWatch::mark(const Particles& particles, const SkinRule& rule, BigVector<Mark>& marks) {
   marks.resize(particles.owned);
   for (std::size_t i = 0; i < particles.owned; ++i) {
-    marks[i] = {particles.record[i].position, skin_of(particles.record[i], rule)};
+    const ParticleRecord& p = particles.record[i];
+    const double skin = is_parked(p) ? unlimited : skin_of(p, rule);
+    marks[i] = {p.position, skin * skin};
   }
 }
 
+void SkinWatch::outer_listed(const Particles& particles) { mark(particles, outer_, outer_marks_); }
 void SkinWatch::inner_selected(const Particles& particles) { mark(particles, inner_, inner_marks_); }
 
-void SkinWatch::lists_rebuilt(const Particles& particles) {
-  mark(particles, outer_, outer_marks_);
-  mark(particles, inner_, inner_marks_);
-}
-
-bool SkinWatch::inner_is_used_up(const Particles& particles) const {
+void SkinWatch::ignore_parked(const Particles& particles) {
   for (std::size_t i = 0; i < particles.owned; ++i) {
-    const ParticleRecord& p = particles.record[i];
-    const Mark& m = inner_marks_[i];
-    const bool moved = squared_norm(p.position - m.position) >= m.skin * m.skin;
-    if (moved && !is_parked(p)) return true;  // a parked particle is out of every contact, however far it went
+    if (is_parked(particles.record[i])) inner_marks_[i].squared_skin = unlimited;
   }
-  return false;
 }
 
 bool SkinWatch::outer_is_too_short(const Particles& particles) const {
@@ -31,7 +32,7 @@ bool SkinWatch::outer_is_too_short(const Particles& particles) const {
     const ParticleRecord& p = particles.record[i];
     if (is_parked(p)) continue;
     const Mark& m = outer_marks_[i];
-    const double left = m.skin - skin_of(p, inner_);
+    const double left = std::sqrt(m.squared_skin) - skin_of(p, inner_);
     if (left <= 0.0 || squared_norm(p.position - m.position) >= left * left) return true;
   }
   return false;

@@ -28,6 +28,28 @@ Json phases_json(const std::vector<PhaseSummary>& phases) {
   return list;
 }
 
+Json timing_json(const Summary& summary) {
+  Json stages = Json::object();
+  for (const StageSummary& stage : summary.stages) {
+    stages[stage.name] = {{"mean_s", number(stage.mean_seconds)}, {"max_s", number(stage.max_seconds)}};
+  }
+  return {{"loop_wall_s", number(summary.loop_wall_seconds)},
+          {"loop_cpu_s", number(summary.loop_cpu_seconds)},
+          {"particle_steps_per_cpu_second", number(summary.particle_steps_per_cpu_second)},
+          {"stages", stages}};
+}
+
+Json lists_json(const Summary& summary) {
+  return {{"rebuilds", summary.list_rebuilds},
+          {"inner_selections", summary.inner_selections},
+          {"listed_pairs_per_particle", number(summary.listed_pairs_per_particle)},
+          {"evaluated_pairs_per_particle", number(summary.evaluated_pairs_per_particle)}};
+}
+
+Json memory_json(const Summary& summary) {
+  return {{"peak_bytes", summary.memory_peak_bytes}, {"bytes_per_particle", number(summary.memory_bytes_per_particle)}};
+}
+
 Json build_json(const BuildInfo& build) {
   Json fields = Json::object();
   for (const auto& [name, text] : build_fields(build)) fields[name] = text;
@@ -59,6 +81,9 @@ std::string summary_json(const Summary& summary) {
       {"angle_of_repose_stderr_deg", number(summary.angle_of_repose_stderr_deg)},
       {"wall_seconds", number(summary.wall_seconds)},
       {"particle_steps_per_second", number(summary.particle_steps_per_second)},
+      {"timing", timing_json(summary)},
+      {"lists", lists_json(summary)},
+      {"memory", memory_json(summary)},
       {"build", build_json(summary.build)},
       {"deck", summary.deck},
   };

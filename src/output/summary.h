@@ -22,6 +22,13 @@ struct ExitSummary {
   std::int64_t particles = 0;
 };
 
+/// Wall time that the ranks spent on one stage of the time loop.
+struct StageSummary {
+  std::string name;
+  double mean_seconds = 0.0;
+  double max_seconds = 0.0;  ///< of the busiest rank
+};
+
 /// Every measured figure of a run. A figure that was not measured or does not exist (the angle of no pile) is empty.
 struct Summary {
   std::string status;
@@ -48,6 +55,16 @@ struct Summary {
   std::optional<double> angle_of_repose_stderr_deg;
   double wall_seconds = 0.0;
   double particle_steps_per_second = 0.0;
+  double loop_wall_seconds = 0.0;  ///< of the time loop alone, without set-up and final measurements
+  double loop_cpu_seconds = 0.0;   ///< the same, processor time of all ranks
+  double particle_steps_per_cpu_second = 0.0;
+  std::vector<StageSummary> stages;
+  std::int64_t list_rebuilds = 0;
+  std::int64_t inner_selections = 0;          ///< new inner lists between two rebuilds
+  double listed_pairs_per_particle = 0.0;     ///< in the outer lists at the end, each pair once per rank that holds it
+  double evaluated_pairs_per_particle = 0.0;  ///< the same of the inner lists
+  std::int64_t memory_peak_bytes = 0;         ///< resident, of all ranks together
+  double memory_bytes_per_particle = 0.0;     ///< of particles, ghosts, neighbour lists and histories
   BuildInfo build;
   std::string deck;  ///< resolved, TOML
 };

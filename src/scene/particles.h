@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/big_vector.h"
+#include "base/bytes.h"
 #include "base/vec3.h"
 
 namespace repose {
@@ -20,6 +22,12 @@ struct alignas(32) ParticleRecord {
 };
 static_assert(sizeof(ParticleRecord) == 96);
 
+/// Where a particle was, and the square of how far it may go from there before a neighbour list has to be made anew.
+struct alignas(32) Mark {
+  Vec3 position;
+  double squared_skin;
+};
+
 /// Force and torque on a particle as fixed-point integers: their sum does not depend on the order of the contacts, so
 /// it is the same on any number of ranks. The fourth element is padding.
 struct alignas(64) ForceSum {
@@ -34,8 +42,8 @@ inline constexpr int fixed_point_bits = 52;
 /// The particles of one rank: first those it owns, along a space-filling curve, then its ghosts (copies of particles
 /// that other ranks own). All arrays have the same length but for those of owned particles alone.
 struct Particles {
-  std::vector<ParticleRecord> record;
-  std::vector<ForceSum> sum;
+  BigVector<ParticleRecord> record;
+  BigVector<ForceSum> sum;
   std::vector<std::int64_t> id;
   std::vector<std::int32_t> material;
   std::vector<double> force_to_acceleration;   ///< owned: fixed-point force to m/s2
@@ -44,6 +52,10 @@ struct Particles {
 
   std::size_t total() const { return id.size(); }  ///< owned and ghosts
   std::size_t ghosts() const { return total() - owned; }
+  std::size_t bytes() const {
+    return bytes_of(record) + bytes_of(sum) + bytes_of(id) + bytes_of(material) + bytes_of(force_to_acceleration) +
+           bytes_of(torque_to_acceleration);
+  }
 };
 
 /// A particle that has left the domain is parked far away until the next list rebuild drops it: out of every contact

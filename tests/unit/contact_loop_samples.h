@@ -95,7 +95,7 @@ inline Loop random_loop(std::uint64_t seed, std::size_t pairs, const MaterialTab
 
 inline Outcome evaluate(VectorLevel level, const Loop& loop, const PairParameters& pair, double step = loop_dt) {
   Outcome outcome = {loop.blocks, std::vector<ForceSum>(loop.particles.record.size(), ForceSum{}), {}};
-  outcome.alarms = evaluate_pairs(level, outcome.blocks, pair, step, loop_max_overlap, loop.particles.record.data(),
+  outcome.alarms = evaluate_pairs(level, outcome.blocks, {}, pair, step, loop_max_overlap, loop.particles.record.data(),
                                   outcome.sums.data());
   return outcome;
 }
@@ -145,16 +145,10 @@ inline Outcome evaluate_scalar(const Loop& loop, const PairParameters& pair) {
     const std::size_t lane = k % block_lanes;
     const auto first = static_cast<std::size_t>(block.first[lane]);
     const auto second = static_cast<std::size_t>(block.second[lane]);
-    ContactHistory h = {{block.spring[0][lane], block.spring[1][lane], block.spring[2][lane]},
-                        {block.rolling[0][lane], block.rolling[1][lane], block.rolling[2][lane]}};
+    ContactHistory h = history(block, lane);
     evaluate_scalar(loop.particles.record[first], loop.particles.record[second], pair, h, outcome.sums[first],
                     outcome.sums[second], outcome.alarms);
-    const double spring[] = {h.spring.x, h.spring.y, h.spring.z};
-    const double rolling[] = {h.rolling.x, h.rolling.y, h.rolling.z};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      block.spring[axis][lane] = spring[axis];
-      block.rolling[axis][lane] = rolling[axis];
-    }
+    set_history(block, lane, h);
   }
   return outcome;
 }

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 # Per function the registers that its square roots and divisions must use; two lanes of SSE2 are the compiler's choice.
-LEVELS = {"evaluate_sse2": None, "evaluate_avx2": "ymm", "evaluate_avx512": "[yz]mm"}
+LEVELS = {"run_plain": None, "run_avx2": "ymm", "run_avx512": "[yz]mm"}
 SKIP = 77
 
 
@@ -52,7 +52,7 @@ def main():
     found = functions(run.stdout)
     failures = []
     for level in LEVELS:
-        bodies = [body for name, body in found.items() if level in name and not name.endswith(".cold")]
+        bodies = [body for name, body in found.items() if level in name and "evaluate_pairs" in name and not name.endswith(".cold")]
         if len(bodies) != 1:
             failures.append(f"{level} was found {len(bodies)} times in {sys.argv[1]}")
         for body in bodies:

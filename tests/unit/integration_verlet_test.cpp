@@ -1,12 +1,16 @@
 // Velocity Verlet and the scales of the force sums against values worked out by hand.
 #include <cmath>
+#include <cstring>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "contact/fixed_point.h"
+#include "deck/deck.h"
 #include "integration/velocity_verlet.h"
 #include "scene/materials.h"
 #include "scene/sphere.h"
+#include "support/draw.h"
 
 namespace repose::test {
 namespace {
@@ -25,23 +29,88 @@ Particles grain_and_ghost() {
   return p;
 }
 
-// Powers of two throughout: exact.
-TEST(VelocityVerlet, HalfAKick) {
-  Particles p = grain_and_ghost();
-  kick_half_step({0.0, 0.0, -8.0}, 0.5, p);
-  EXPECT_EQ(p.record[0].velocity, (Vec3{0.5 + 0.25 * 1.0, 0.25 * -2.0, -0.25 + 0.25 * (0.5 - 8.0)}));
-  EXPECT_EQ(p.record[0].spin, (Vec3{8.0 + 0.25 * 2.0, 0.25 * -1.0, 0.0}));
-  EXPECT_EQ(p.record[0].position, (Vec3{1.0, 2.0, 3.0}));
-  EXPECT_EQ(p.record[1].velocity, (Vec3{1.0, 1.0, 1.0}));
-  EXPECT_EQ(p.record[1].spin, (Vec3{1.0, 1.0, 1.0}));
+const DomainDeck domain = {{-100.0, -100.0, -100.0}, {100.0, 100.0, 100.0}};
+const std::vector<Mark> here = {{{1.0, 2.0, 3.0}, 1.0}};  // a skin of 1 m
+
+std::vector<VectorLevel> levels() {
+  std::vector<VectorLevel> list;
+  for (const VectorLevel level : {VectorLevel::sse2, VectorLevel::avx2, VectorLevel::avx512}) {
+    if (level <= best_vector_level()) list.push_back(level);
+  }
+  return list;
 }
 
-TEST(VelocityVerlet, Drift) {
+bool same_bits(const ParticleRecord& a, const ParticleRecord& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+// Powers of two throughout: exact.
+TEST(VelocityVerlet, SecondHalfIsHalfAKick) {
+  for (const VectorLevel level : levels()) {
+    Particles p = grain_and_ghost();
+    step_second_half(level, {0.0, 0.0, -8.0}, 0.5, p);
+    const ParticleRecord expected = {{1.0, 2.0, 3.0},
+                                     0.5,
+                                     {0.5 + 0.25 * 1.0, 0.25 * -2.0, -0.25 + 0.25 * (0.5 - 8.0)},
+                                     1.0,
+                                     {8.0 + 0.25 * 2.0, 0.25 * -1.0, 0.0},
+                                     1.0};
+    EXPECT_TRUE(same_bits(p.record[0], expected));
+    EXPECT_TRUE(same_bits(p.record[1], grain_and_ghost().record[1]));
+  }
+}
+
+TEST(VelocityVerlet, FirstHalfKicksDriftsAndClearsAllSums) {
+  for (const VectorLevel level : levels()) {
+    Particles kicked = grain_and_ghost();
+    step_second_half(level, {0.0, 0.0, -8.0}, 0.5, kicked);
+    Particles p = grain_and_ghost();
+    step_first_half(level, {0.0, 0.0, -8.0}, 0.5, domain, here, p);
+    EXPECT_EQ(p.record[0].velocity, kicked.record[0].velocity);
+    EXPECT_EQ(p.record[0].spin, kicked.record[0].spin);
+    EXPECT_EQ(p.record[0].position, (Vec3{1.0, 2.0, 3.0} + 0.5 * kicked.record[0].velocity));
+    EXPECT_EQ(p.record[0].radius, 0.5);
+    EXPECT_TRUE(same_bits(p.record[1], grain_and_ghost().record[1]));
+    for (const ForceSum& sum : p.sum) {
+      for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(sum.force[axis] | sum.torque[axis], 0);
+    }
+  }
+}
+
+TEST(VelocityVerlet, OnePassForTwoHalvesGivesTheSameBits) {
+  test::Draw draw(71);
+  for (const VectorLevel level : levels()) {
+    for (int trial = 0; trial < 100; ++trial) {
+      Particles two = grain_and_ghost();
+      two.record[0].velocity = draw.vector(1.0);
+      two.record[0].spin = draw.vector(100.0);
+      for (int axis = 0; axis < 3; ++axis) {
+        two.sum[0].force[axis] = static_cast<std::int64_t>(draw(-1e18, 1e18));
+        two.sum[0].torque[axis] = static_cast<std::int64_t>(draw(-1e18, 1e18));
+      }
+      two.force_to_acceleration[0] = 1.1e-17;
+      two.torque_to_acceleration[0] = 1.3e-15;
+      Particles one = two;
+      step_second_half(VectorLevel::sse2, {0.1, 0.0, -9.81}, 3e-6, two);
+      step_first_half(VectorLevel::sse2, {0.1, 0.0, -9.81}, 3e-6, domain, here, two);
+      step_second_and_first_half(level, {0.1, 0.0, -9.81}, 3e-6, domain, here, one);
+      EXPECT_TRUE(same_bits(one.record[0], two.record[0])) << to_string(level);
+    }
+  }
+}
+
+TEST(VelocityVerlet, NotesWhoIsOutsideAndWhoHasMoved) {
   Particles p = grain_and_ghost();
-  drift(0.5, p);
-  EXPECT_EQ(p.record[0].position, (Vec3{1.25, 2.0, 2.875}));
-  EXPECT_EQ(p.record[0].velocity, (Vec3{0.5, 0.0, -0.25}));
-  EXPECT_EQ(p.record[1].position, (Vec3{4.0, 5.0, 6.0}));
+  const auto notes = [&](double skin, const DomainDeck& within) {
+    Particles copy = p;
+    const std::vector<Mark> marks = {{{1.0, 2.0, 2.5}, skin * skin}};
+    return step_first_half(best_vector_level(), {}, 0.0, within, marks, copy);
+  };
+  EXPECT_FALSE(notes(0.51, domain).skin_used_up);
+  EXPECT_TRUE(notes(0.5, domain).skin_used_up);
+  EXPECT_EQ(notes(1.0, domain).outside, 0U);
+  EXPECT_EQ(notes(1.0, {{1.0, 2.0, 3.0}, {2.0, 3.0, 4.0}}).outside, 0U);  // the lower faces belong to the domain
+  EXPECT_EQ(notes(1.0, {{0.0, 0.0, 0.0}, {2.0, 3.0, 3.0}}).outside, 1U);  // the upper ones do not
+  EXPECT_EQ(notes(1.0, {{1.1, 0.0, 0.0}, {2.0, 3.0, 4.0}}).outside, 1U);
+  EXPECT_EQ(notes(1.0, {{0.0, 0.0, 0.0}, {2.0, 2.0, 4.0}}).outside, 1U);
 }
 
 // A constant acceleration is integrated exactly: x = v t + a t^2 / 2.
@@ -50,9 +119,8 @@ TEST(VelocityVerlet, FreeFallIsExact) {
   p.sum[0] = {};
   const double dt = 0x1p-7;
   for (int step = 0; step < 128; ++step) {
-    kick_half_step({0.0, 0.0, -8.0}, dt, p);
-    drift(dt, p);
-    kick_half_step({0.0, 0.0, -8.0}, dt, p);
+    step_first_half(best_vector_level(), {0.0, 0.0, -8.0}, dt, domain, here, p);
+    step_second_half(best_vector_level(), {0.0, 0.0, -8.0}, dt, p);
   }
   EXPECT_EQ(p.record[0].position, (Vec3{1.5, 2.0, 3.0 - 0.25 - 4.0}));
   EXPECT_EQ(p.record[0].velocity, (Vec3{0.5, 0.0, -8.25}));

@@ -145,15 +145,9 @@ bool same(const ContactHistory& a, const ContactHistory& b) { return a.spring ==
 void give_histories(const Particles& p, PairLists& lists) {
   for (PairGroup& group : lists.groups()) {
     for (std::size_t lane = 0; lane < group.lanes; ++lane) {
-      ContactBlock& block = group.blocks[lane / block_lanes];
+      const ContactBlock& block = group.blocks[lane / block_lanes];
       const std::size_t k = lane % block_lanes;
-      const ContactHistory h = tagged(ids(p, block.first[k], block.second[k]));
-      block.spring[0][k] = h.spring.x;
-      block.spring[1][k] = h.spring.y;
-      block.spring[2][k] = h.spring.z;
-      block.rolling[0][k] = h.rolling.x;
-      block.rolling[1][k] = h.rolling.y;
-      block.rolling[2][k] = h.rolling.z;
+      set_lane_history(group, lane, tagged(ids(p, block.first[k], block.second[k])));
     }
   }
 }

@@ -1,6 +1,8 @@
 // When lists are made anew, and that no contact is ever missed in between.
 #include <gtest/gtest.h>
 
+#include "deck/deck.h"
+#include "integration/velocity_verlet.h"
 #include "neighbours/skin_watch.h"
 #include "neighbours_samples.h"
 
@@ -9,9 +11,14 @@ namespace {
 
 enum class ListState { valid, inner_stale, outer_stale };
 
-/// What a step on one rank makes of the two questions.
-ListState state_of(const SkinWatch& watch, const Particles& particles) {
-  if (!watch.inner_is_used_up(particles)) return ListState::valid;
+/// What a step on one rank makes of the two questions; no time passes.
+ListState state_of(const SkinWatch& watch, Particles particles) {
+  particles.sum.assign(particles.total(), ForceSum{});
+  particles.force_to_acceleration.assign(particles.owned, 1.0);
+  particles.torque_to_acceleration.assign(particles.owned, 1.0);
+  const DomainDeck everywhere = {{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};
+  if (!step_first_half(best_vector_level(), {}, 0.0, everywhere, watch.inner_marks(), particles).skin_used_up)
+    return ListState::valid;
   return watch.outer_is_too_short(particles) ? ListState::outer_stale : ListState::inner_stale;
 }
 
@@ -32,7 +39,8 @@ Particles one_grain() {
 
 SkinWatch watching(const Particles& p) {
   SkinWatch watch(inner, outer);
-  watch.lists_rebuilt(p);
+  watch.outer_listed(p);
+  watch.inner_selected(p);
   return watch;
 }
 
@@ -71,7 +79,7 @@ TEST(SkinWatch, OuterSkinKeepsRoomForAnotherInnerOne) {
   }
   p.record[0].position.x = 0.021e-3 * 14;
   EXPECT_EQ(state_of(watch, p), ListState::outer_stale);
-  watch.lists_rebuilt(p);
+  watch = watching(p);
   EXPECT_EQ(state_of(watch, p), ListState::valid);
 }
 
@@ -98,8 +106,11 @@ TEST(SkinWatch, AGrainTooFastForItsOuterSkinAsksForNewLists) {
 
 TEST(SkinWatch, ParkedParticlesAskForNothing) {
   Particles p = one_grain();
-  const SkinWatch watch = watching(p);
+  SkinWatch watch = watching(p);
   park(p.record[0], 0);
+  watch.ignore_parked(p);
+  EXPECT_EQ(state_of(watch, p), ListState::valid);
+  watch.inner_selected(p);
   EXPECT_EQ(state_of(watch, p), ListState::valid);
 }
 
@@ -119,7 +130,7 @@ TEST(SkinWatch, NoContactIsEverMissed) {
   const auto rebuild = [&] {
     lists.build(p, reaches(p, outer), nothing);
     lists.select_near(p, inner);
-    watch.lists_rebuilt(p);
+    watch = watching(p);
   };
   rebuild();
   int rebuilds = 0;

@@ -3,6 +3,7 @@
 add_library(repose_flags INTERFACE)
 target_include_directories(repose_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(repose_flags INTERFACE
+  -Wno-psabi     # GCC warns of vectors as return values; ours only occur in functions that are always inlined
   -Wno-restrict  # GCC 12 warns falsely in its own std::string (bug 105651)
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
   -ffp-contract=off -fno-math-errno -fno-trapping-math

@@ -14,8 +14,8 @@
 namespace repose {
 namespace {
 
-constexpr double inner_horizon_steps = 16.0;   // steps at present speed that the inner skin covers
-constexpr double outer_horizon_steps = 160.0;  // the same of the outer skin
+constexpr double inner_horizon_steps = 32.0;   // steps at present speed that the inner skin covers
+constexpr double outer_horizon_steps = 320.0;  // the same of the outer skin
 
 }  // namespace
 
@@ -197,7 +197,7 @@ void Simulation::evaluate_forces(double dt) {
   clock_.enter(Stage::pair_contacts);
   evaluate(true);
   clock_.enter(Stage::wall_contacts);
-  alarm |= wall_contacts_.evaluate(walls_, materials_, dt, max_overlap, particles_).any();
+  alarm |= wall_contacts_.evaluate(level_, walls_, materials_, dt, max_overlap, particles_).any();
   clock_.enter(Stage::ghosts);
   if (ghosts_on_their_way_) ghosts_.finish(particles_);
   ghosts_on_their_way_ = false;

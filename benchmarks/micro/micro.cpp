@@ -88,8 +88,8 @@ void wall_kernel(benchmark::State& state) {
   WallContacts contacts = bed->simulation.wall_contacts();
   Particles particles = bed->simulation.particles();
   for (auto _ : state) {
-    const WallAlarms alarms =
-        contacts.evaluate(bed->simulation.walls(), bed->simulation.materials(), 0.0, 0.3, particles);
+    const WallAlarms alarms = contacts.evaluate(best_vector_level(), bed->simulation.walls(),
+                                                bed->simulation.materials(), 0.0, 0.3, particles);
     benchmark::DoNotOptimize(alarms.any());
   }
   set_items(state, particles.owned);

@@ -1,14 +1,38 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+
+#include "base/vec3.h"
 
 namespace repose {
 
-/// Four doubles as one vector value; the compiler maps it to the registers of the instruction set at hand.
-/// It may alias the columns and records that it is loaded from and stored to, which must be aligned to 32 bytes.
-using Quad = double __attribute__((vector_size(32), may_alias));
-using QuadInt = std::int64_t __attribute__((vector_size(32), may_alias));
-using QuadBits = std::uint64_t __attribute__((vector_size(32), may_alias));
+/// Four doubles as one vector value; the compiler maps it to the registers of the instruction set at hand. In memory
+/// they are part of columns, records and sums, aligned to 32 bytes: there they go by the names that may alias.
+using Quad = double __attribute__((vector_size(32)));
+using QuadInt = std::int64_t __attribute__((vector_size(32)));
+using QuadBits = std::uint64_t __attribute__((vector_size(32)));
+using QuadInMemory = double __attribute__((vector_size(32), may_alias));
+using QuadIntInMemory = std::int64_t __attribute__((vector_size(32), may_alias));
+using QuadBitsInMemory = std::uint64_t __attribute__((vector_size(32), may_alias));
+
+/// The vectors of four lanes.
+using QuadVec3 = Vector3<Quad>;
+
+// The counterparts of vec3.h. The compiler makes one instruction of each.
+[[gnu::always_inline]] inline Quad square_root(const Quad& q) {
+  return Quad{std::sqrt(q[0]), std::sqrt(q[1]), std::sqrt(q[2]), std::sqrt(q[3])};
+}
+[[gnu::always_inline]] inline Quad magnitude(const Quad& q) {
+  return reinterpret_cast<Quad>(reinterpret_cast<QuadBits>(q) & 0x7fffffffffffffff);
+}
+[[gnu::always_inline]] inline Quad select(const QuadInt& condition, const Quad& yes, const Quad& no) {
+  return condition ? yes : no;
+}
+[[gnu::always_inline]] inline Quad load(const double* column) { return *reinterpret_cast<const QuadInMemory*>(column); }
+[[gnu::always_inline]] inline void store(const Quad& q, double* column) {
+  *reinterpret_cast<QuadInMemory*>(column) = q;
+}
 
 /// Rows become columns, in place. Everything is inlined: the type has no calling convention shared by all vector
 /// levels.

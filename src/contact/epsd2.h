@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include <type_traits>
 
 #include "contact/hertz.h"
 
@@ -9,14 +9,17 @@ namespace repose {
 /// Rolling moment M in N m that resists the first body (-M acts on it, +M on the second): the elastic-plastic spring
 /// model without dashpot, "EPSD2" (thesis eqs. 2.18 to 2.22 as corrected; Ai, Chen, Rotter, Ooi 2011, model C,
 /// doi:10.1016/j.powtec.2010.09.030). M advances by k_r w dt, k_r = k_t R_eff^2, cut to mu_r |F_n| R_eff.
-[[gnu::always_inline]] inline Vec3 epsd2_moment(const PairParameters& pair, const ContactStiffness& k,
-                                                const ContactGeometry& contact, double normal_force, double dt,
-                                                const Vec3& moment) {
-  const double k_r = k.tangential * contact.radius_eff * contact.radius_eff;
-  const Vec3 trial = moment + (k_r * dt) * contact.rolling_velocity;
-  const double size = norm(trial);
-  const double limit = pair.rolling_friction * std::fabs(normal_force) * contact.radius_eff;
-  const double remaining = size > limit ? limit / size : 1.0;
+template <class Real>
+[[gnu::always_inline]] inline Vector3<Real> epsd2_moment(const PairParameters& pair,
+                                                         const BasicContactStiffness<Real>& k,
+                                                         const BasicContactGeometry<Real>& contact,
+                                                         const std::type_identity_t<Real>& normal_force, double dt,
+                                                         const std::type_identity_t<Vector3<Real>>& moment) {
+  const Real k_r = k.tangential * contact.radius_eff * contact.radius_eff;
+  const Vector3<Real> trial = moment + (k_r * dt) * contact.rolling_velocity;
+  const Real size = square_root(squared_norm(trial));
+  const Real limit = pair.rolling_friction * magnitude(normal_force) * contact.radius_eff;
+  const Real remaining = select(size > limit, limit / size, Real{} + 1.0);
   return remaining * trial;
 }
 

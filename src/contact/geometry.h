@@ -7,17 +7,23 @@ namespace repose {
 
 /// What every contact law sees of a contact, whether between two particles or of a particle with a wall. The normal
 /// points from the second body to the first; velocities are those of the first relative to the second.
-struct ContactGeometry {
-  Vec3 normal;
-  double overlap;            ///< m, not negative
-  double radius_eff;         ///< R_eff, m (thesis eq. 2.13); R at a wall
-  double mass_eff;           ///< m_eff, kg (thesis eq. 2.14); m at a wall
-  double normal_velocity;    ///< m/s, positive when parting
-  Vec3 tangential_velocity;  ///< m/s, of the surfaces at the contact point
-  Vec3 rolling_velocity;     ///< rad/s, relative rotation without its part along the normal
+/// Like all of the contact law for one contact (Real = double) or for one in each of four lanes (Real = Quad).
+template <class Real>
+struct BasicContactGeometry {
+  Vector3<Real> normal;
+  Real overlap;                       ///< m, not negative
+  Real radius_eff;                    ///< R_eff, m (thesis eq. 2.13); R at a wall
+  Real mass_eff;                      ///< m_eff, kg (thesis eq. 2.14); m at a wall
+  Real normal_velocity;               ///< m/s, positive when parting
+  Vector3<Real> tangential_velocity;  ///< m/s, of the surfaces at the contact point
+  Vector3<Real> rolling_velocity;     ///< rad/s, relative rotation without its part along the normal
 };
+using ContactGeometry = BasicContactGeometry<double>;
 
 /// `v` without its part along the unit vector `n`.
-constexpr Vec3 without_normal_part(const Vec3& v, const Vec3& n) { return v - dot(v, n) * n; }
+template <class Real>
+[[gnu::always_inline]] constexpr Vector3<Real> without_normal_part(const Vector3<Real>& v, const Vector3<Real>& n) {
+  return v - dot(v, n) * n;
+}
 
 }  // namespace repose

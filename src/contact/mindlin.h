@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include <type_traits>
 
 #include "contact/hertz.h"
 
@@ -9,15 +9,18 @@ namespace repose {
 /// Tangential force on the first body in N, with history and Coulomb's limit (thesis eqs. 2.6, 2.15). The spring
 /// advances by v_t dt and loses its normal part; where k_t |xi| exceeds mu |F_n| the force is cut to it, the spring
 /// follows and no dashpot acts. `spring` is replaced by its new value.
-[[gnu::always_inline]] inline Vec3 mindlin_force(const PairParameters& pair, const ContactStiffness& k,
-                                                 const ContactGeometry& contact, double normal_force, double dt,
-                                                 Vec3& spring) {
-  const Vec3 xi = without_normal_part(spring + dt * contact.tangential_velocity, contact.normal);
-  const double trial = k.tangential * norm(xi);
-  const double limit = pair.sliding_friction * std::fabs(normal_force);
-  const bool slides = trial > limit;
-  const double remaining = slides ? limit / trial : 1.0;
-  const double damping = slides ? 0.0 : k.tangential_damping;
+template <class Real>
+[[gnu::always_inline]] inline Vector3<Real> mindlin_force(const PairParameters& pair,
+                                                          const BasicContactStiffness<Real>& k,
+                                                          const BasicContactGeometry<Real>& contact,
+                                                          const std::type_identity_t<Real>& normal_force, double dt,
+                                                          Vector3<Real>& spring) {
+  const Vector3<Real> xi = without_normal_part(spring + (Real{} + dt) * contact.tangential_velocity, contact.normal);
+  const Real trial = k.tangential * square_root(squared_norm(xi));
+  const Real limit = pair.sliding_friction * magnitude(normal_force);
+  const auto slides = trial > limit;
+  const Real remaining = select(slides, limit / trial, Real{} + 1.0);
+  const Real damping = select(slides, Real{}, k.tangential_damping);
   spring = remaining * xi;
   return (-k.tangential) * spring - damping * contact.tangential_velocity;
 }

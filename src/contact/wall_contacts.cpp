@@ -2,41 +2,8 @@
 
 #include <algorithm>
 
-#include "contact/contact_law.h"
-#include "contact/fixed_point.h"
-#include "scene/sphere.h"
-
 namespace repose {
 namespace {
-
-ContactGeometry wall_geometry(const ParticleRecord& p, const WallTouch& touch, double density) {
-  const double overlap = p.radius - touch.distance;
-  const double arm = p.radius - 0.5 * overlap;
-  const Vec3 n = touch.normal;
-  const double v_n = dot(p.velocity, n);
-  ContactGeometry contact;
-  contact.normal = n;
-  contact.overlap = overlap;
-  contact.radius_eff = p.radius;
-  contact.mass_eff = sphere_mass(p.radius, density);
-  contact.normal_velocity = v_n;
-  contact.tangential_velocity = p.velocity - v_n * n - arm * cross(p.spin, n);
-  // The thesis's program scales the rotation at a wall by the lever arm over the distance.
-  contact.rolling_velocity = (arm / touch.distance) * without_normal_part(p.spin, n);
-  return contact;
-}
-
-/// Adds to the sums of one particle; false when out of range.
-bool add_forces(const ContactForces& forces, double arm, const ParticleRecord& p, ForceSum& sum) {
-  const Vec3 torque = -(arm * forces.friction_arm) - forces.rolling_moment;
-  bool in_range = add_fixed_point(to_fixed_point(forces.force.x, p.force_scale), sum.force[0]);
-  in_range &= add_fixed_point(to_fixed_point(forces.force.y, p.force_scale), sum.force[1]);
-  in_range &= add_fixed_point(to_fixed_point(forces.force.z, p.force_scale), sum.force[2]);
-  in_range &= add_fixed_point(to_fixed_point(torque.x, p.torque_scale), sum.torque[0]);
-  in_range &= add_fixed_point(to_fixed_point(torque.y, p.torque_scale), sum.torque[1]);
-  in_range &= add_fixed_point(to_fixed_point(torque.z, p.torque_scale), sum.torque[2]);
-  return in_range;
-}
 
 const WallContact* find(std::span<const WallContact> contacts, int wall, int feature) {
   const auto found = std::find_if(contacts.begin(), contacts.end(),
@@ -67,7 +34,7 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
     if (count == 0) continue;
     candidates_.push_back({static_cast<std::int32_t>(i), first, count});
     for (const WallMemory& m : memory.row(i)) {
-      contacts_.push_back({static_cast<std::int32_t>(i), m.wall, m.feature, 0.0, m.history});
+      contacts_.push_back({static_cast<std::int32_t>(i), m.wall, m.feature, {}, 0.0, 0.0, m.history});
     }
   }
   near_ = candidates_;
@@ -87,33 +54,34 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
   }
 }
 
-/// The history of a touch: that of the same feature before, or of a touch that this one now stands for, or of a
-/// neighbouring feature of the wall that is touched no more.
-ContactHistory WallContacts::inherited(std::span<const WallContact> before, std::span<const Wall> walls,
-                                       const TouchBuffer& touches, int touch) const {
+/// The contact whose history a touch takes over: that of the same feature before, or of a touch that this one now
+/// stands for, or of a neighbouring feature of the wall that is touched no more. Null: it is new.
+const WallContact* WallContacts::ancestor(std::span<const WallContact> before, std::span<const Wall> walls,
+                                          const TouchBuffer& touches, int touch) const {
   const WallTouch& t = touches[touch];
-  if (const WallContact* same = find(before, t.wall, t.feature)) return same->history;
+  if (const WallContact* same = find(before, t.wall, t.feature)) return same;
   for (const WallTouch& other : touches.touches()) {
     if (other.superseded_by != touch) continue;
-    if (const WallContact* handed = find(before, other.wall, other.feature)) return handed->history;
+    if (const WallContact* handed = find(before, other.wall, other.feature)) return handed;
   }
   for (const WallContact& c : before) {
     if (c.wall != t.wall || is_touched(touches, c.wall, c.feature)) continue;
-    if (adjacent_features(walls[static_cast<std::size_t>(t.wall)], c.feature, t.feature)) return c.history;
+    if (adjacent_features(walls[static_cast<std::size_t>(t.wall)], c.feature, t.feature)) return &c;
   }
-  return {};
+  return nullptr;
 }
 
-WallAlarms WallContacts::evaluate(std::span<const Wall> walls, const MaterialTable& materials, double dt,
-                                  double max_overlap, Particles& particles) {
+void WallContacts::find_contacts(std::span<const Wall> walls, const Particles& particles, WallAlarms& alarms) {
   std::swap(before_, contacts_);
   contacts_.clear();
-  WallAlarms alarms;
   TouchBuffer touches;
-  std::size_t next = 0;  // of before_
-  for (const Candidate& candidate : near_) {
+  std::size_t next = 0;             // of before_
+  constexpr std::size_t ahead = 8;  // candidates whose records are on their way from memory
+  for (std::size_t n = 0; n < near_.size(); ++n) {
+    const Candidate& candidate = near_[n];
+    const auto later = static_cast<std::size_t>(near_[std::min(n + ahead, near_.size() - 1)].particle);
+    __builtin_prefetch(&particles.record[later]);
     const ParticleRecord& p = particles.record[static_cast<std::size_t>(candidate.particle)];
-    ForceSum& sum = particles.sum[static_cast<std::size_t>(candidate.particle)];
     while (next < before_.size() && before_[next].particle < candidate.particle) ++next;
     const std::size_t first_before = next;
     while (next < before_.size() && before_[next].particle == candidate.particle) ++next;
@@ -126,23 +94,36 @@ WallAlarms WallContacts::evaluate(std::span<const Wall> walls, const MaterialTab
       const Wall& wall = walls[static_cast<std::size_t>(w)];
       if (wall.present) find_touches(wall, w, p.position, p.radius, touches);
     }
-    if (touches.size() == 0) continue;
     if (touches.size() > 1) resolve_touches(touches, p.radius);
     alarms.too_many += touches.overflowed() ? 1 : 0;
-
-    const auto material = static_cast<std::size_t>(particles.material[static_cast<std::size_t>(candidate.particle)]);
     for (int t = 0; t < touches.size(); ++t) {
       const WallTouch& touch = touches[t];
       if (touch.superseded_by >= 0) continue;
-      const auto wall_material = static_cast<std::size_t>(walls[static_cast<std::size_t>(touch.wall)].material);
-      const PairParameters& pair = materials.pair(material, wall_material);
-      ContactHistory history = inherited(before, walls, touches, t);
-      const ContactGeometry contact = wall_geometry(p, touch, pair.density_first);
-      const ContactForces forces = contact_law(pair, contact, dt, history);
-      alarms.too_deep += contact.overlap > max_overlap * p.radius ? 1 : 0;
-      alarms.out_of_range += add_forces(forces, p.radius - 0.5 * contact.overlap, p, sum) ? 0 : 1;
-      contacts_.push_back({candidate.particle, touch.wall, touch.feature, contact.overlap, history});
+      const WallContact* old = ancestor(before, walls, touches, t);
+      contacts_.push_back({candidate.particle, touch.wall, touch.feature, touch.normal, touch.distance, 0.0,
+                           old != nullptr ? old->history : ContactHistory{}});
     }
+  }
+}
+
+WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls, const MaterialTable& materials,
+                                  double dt, double max_overlap, Particles& particles) {
+  WallAlarms alarms;
+  find_contacts(walls, particles, alarms);
+  of_materials_.resize(materials.size() * materials.size());
+  for (auto& chosen : of_materials_) chosen.clear();
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const auto particle = static_cast<std::size_t>(particles.material[static_cast<std::size_t>(contacts_[k].particle)]);
+    const auto wall = static_cast<std::size_t>(walls[static_cast<std::size_t>(contacts_[k].wall)].material);
+    of_materials_[particle * materials.size() + wall].push_back(static_cast<std::int32_t>(k));
+  }
+  for (std::size_t k = 0; k < of_materials_.size(); ++k) {
+    if (of_materials_[k].empty()) continue;
+    const PairParameters& pair = materials.pair(k / materials.size(), k % materials.size());
+    const WallLoopAlarms here = evaluate_walls(level, contacts_, of_materials_[k], pair, dt, max_overlap,
+                                               particles.record.data(), particles.sum.data());
+    alarms.too_deep += here.too_deep;
+    alarms.out_of_range += here.out_of_range;
   }
   return alarms;
 }

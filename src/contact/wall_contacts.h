@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "base/vector_level.h"
+#include "contact/wall_loop.h"
 #include "scene/contact_memory.h"
 #include "scene/materials.h"
 #include "scene/particles.h"
@@ -12,18 +14,9 @@
 
 namespace repose {
 
-/// A particle touching a feature of a wall.
-struct WallContact {
-  std::int32_t particle;  ///< local index
-  std::int32_t wall;
-  std::int32_t feature;
-  double overlap;  ///< m
-  ContactHistory history;
-};
-
 struct WallAlarms {
   std::int64_t too_deep = 0;      ///< contacts whose overlap exceeds the bound
-  std::int64_t out_of_range = 0;  ///< forces (or NaN) that the fixed-point sum cannot hold
+  std::int64_t out_of_range = 0;  ///< blocks with a force (or NaN) that the fixed-point sum cannot hold
   std::int64_t too_many = 0;      ///< particles with more touches than a TouchBuffer holds
   bool any() const { return too_deep + out_of_range + too_many > 0; }
 };
@@ -42,8 +35,8 @@ class WallContacts {
   /// Evaluates the contact law with every present wall and adds force and torque to the particles' sums. Histories
   /// advance by `dt` s. A history follows its contact from one feature of a wall to the next, and across flush seams of
   /// two walls.
-  WallAlarms evaluate(std::span<const Wall> walls, const MaterialTable& materials, double dt, double max_overlap,
-                      Particles& particles);
+  WallAlarms evaluate(VectorLevel level, std::span<const Wall> walls, const MaterialTable& materials, double dt,
+                      double max_overlap, Particles& particles);
 
   std::span<const WallContact> contacts() const { return contacts_; }
   std::size_t bytes() const {
@@ -59,14 +52,17 @@ class WallContacts {
     std::int32_t first_wall;  ///< into candidate_walls_
     std::int32_t walls;
   };
-  ContactHistory inherited(std::span<const WallContact> before, std::span<const Wall> walls, const TouchBuffer& touches,
-                           int touch) const;
+  /// Replaces contacts_ by the touches of this step, with the histories they inherit.
+  void find_contacts(std::span<const Wall> walls, const Particles& particles, WallAlarms& alarms);
+  const WallContact* ancestor(std::span<const WallContact> before, std::span<const Wall> walls,
+                              const TouchBuffer& touches, int touch) const;
 
   std::vector<Candidate> candidates_;
   std::vector<Candidate> near_;  ///< those of them that select_near chose
   std::vector<std::int32_t> candidate_walls_;
-  std::vector<WallContact> contacts_;  ///< in the order of the candidates
-  std::vector<WallContact> before_;    ///< those of the step before, while evaluate runs
+  std::vector<WallContact> contacts_;                    ///< in the order of the candidates
+  std::vector<WallContact> before_;                      ///< those of the step before, while evaluate runs
+  std::vector<std::vector<std::int32_t>> of_materials_;  ///< contacts_ by material of the particle and of the wall
 };
 
 }  // namespace repose

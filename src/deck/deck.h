@@ -137,7 +137,7 @@ struct GuardsDeck {
 
 struct NeighboursDeck {
   double skin = 0.3;           ///< outer skin at rest, in particle radii (each particle's share)
-  double inner_skin = 0.01;    ///< inner skin at rest, in particle radii
+  double inner_skin = 0.003;   ///< inner skin at rest, in particle radii
   double max_imbalance = 1.1;  ///< cost of the busiest rank over the mean that triggers rebalancing
 };
 

@@ -19,7 +19,8 @@ static_assert(sizeof(ParticleRecord) == 3 * sizeof(Quad));
 /// v += a dt/2 for velocity and spin, once or twice.
 template <int kicks>
 [[gnu::always_inline]] inline void kick(const Quad& gravity, double half, double force_to_acceleration,
-                                        double torque_to_acceleration, const QuadInt* sum, Quad* record) {
+                                        double torque_to_acceleration, const QuadIntInMemory* sum,
+                                        QuadInMemory* record) {
   Quad force, torque;
   to_double(sum[0], force);
   to_double(sum[1], torque);
@@ -39,9 +40,9 @@ template <int kicks>
   const Quad drift = {dt, dt, dt, 0.0};
   const Quad low = {domain.min.x, domain.min.y, domain.min.z, -no_bound};
   const Quad high = {domain.max.x, domain.max.y, domain.max.z, no_bound};
-  auto* record = reinterpret_cast<Quad*>(particles.record.data());
-  auto* sum = reinterpret_cast<QuadInt*>(particles.sum.data());
-  const auto* mark = reinterpret_cast<const Quad*>(marks.data());
+  auto* record = reinterpret_cast<QuadInMemory*>(particles.record.data());
+  auto* sum = reinterpret_cast<QuadIntInMemory*>(particles.sum.data());
+  const auto* mark = reinterpret_cast<const QuadInMemory*>(marks.data());
   const double* force_to_acceleration = particles.force_to_acceleration.data();
   const double* torque_to_acceleration = particles.torque_to_acceleration.data();
   StepNotes notes;
@@ -63,8 +64,8 @@ template <int kicks>
 
 [[gnu::always_inline]] inline void second_half(const Vec3& gravity_in, double dt, Particles& particles) {
   const Quad gravity = {gravity_in.x, gravity_in.y, gravity_in.z, 0.0};
-  auto* records = reinterpret_cast<Quad*>(particles.record.data());
-  const auto* sums = reinterpret_cast<const QuadInt*>(particles.sum.data());
+  auto* records = reinterpret_cast<QuadInMemory*>(particles.record.data());
+  const auto* sums = reinterpret_cast<const QuadIntInMemory*>(particles.sum.data());
   for (std::size_t i = 0; i < particles.owned; ++i) {
     kick<1>(gravity, 0.5 * dt, particles.force_to_acceleration[i], particles.torque_to_acceleration[i], sums + 2 * i,
             records + 3 * i);

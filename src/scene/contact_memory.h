@@ -8,10 +8,12 @@
 namespace repose {
 
 /// What a contact remembers between steps. It is forgotten as soon as the surfaces part.
-struct ContactHistory {
-  Vec3 spring;   ///< m, tangential displacement xi
-  Vec3 rolling;  ///< N m, rolling moment M
+template <class Real>
+struct BasicContactHistory {
+  Vector3<Real> spring;   ///< m, tangential displacement xi
+  Vector3<Real> rolling;  ///< N m, rolling moment M
 };
+using ContactHistory = BasicContactHistory<double>;
 
 /// What a particle carries of one contact with another when lists are rebuilt or when it changes its rank. The history
 /// is oriented from the higher to the lower id, as in the pair loop, whoever carries it.

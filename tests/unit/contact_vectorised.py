@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Disassembles the pair loop and checks that the compiler has vectorised it for AVX2 and AVX-512, and fused nothing.
+"""Disassembles the contact loops and checks that all levels are vectorised, and nothing is fused.
 
 contact_vectorised.py LIBRARY: the static library or object file that holds it. Exit code 77: cannot be told here.
 """
@@ -9,8 +9,9 @@ import shutil
 import subprocess
 import sys
 
-# Per function the registers that its square roots and divisions must use; two lanes of SSE2 are the compiler's choice.
-LEVELS = {"run_plain": None, "run_avx2": "ymm", "run_avx512": "[yz]mm"}
+# Per level the registers that its square roots and divisions must use.
+LEVELS = {"run_plain": "xmm", "run_avx2": "ymm", "run_avx512": "[yz]mm"}
+LOOPS = ("evaluate_pairs", "evaluate_walls")
 SKIP = 77
 
 
@@ -29,10 +30,10 @@ def functions(disassembly):
 def problems(level, instructions):
     register = LEVELS[level]
     text = "\n".join(instructions)
-    for operation in ("sqrt", "div") if register else ():
-        if not re.search(rf"^v{operation}pd\s.*%{register}\d", text, re.MULTILINE):
+    for operation in ("sqrt", "div"):
+        if not re.search(rf"^v?{operation}pd\s.*%{register}\d", text, re.MULTILINE):
             yield f"{level} has no packed {operation}pd on {register} registers"
-        scalar = re.findall(rf"^v{operation}sd\s.*", text, re.MULTILINE)
+        scalar = re.findall(rf"^v?{operation}sd\s.*", text, re.MULTILINE)
         if scalar:
             yield f"{level} has {len(scalar)} scalar instructions {operation}sd"
     fused = re.findall(r"^vf(?:n?m)(?:add|sub)\w*", text, re.MULTILINE)
@@ -52,12 +53,14 @@ def main():
     found = functions(run.stdout)
     failures = []
     for level in LEVELS:
-        bodies = [body for name, body in found.items() if level in name and "evaluate_pairs" in name and not name.endswith(".cold")]
-        if len(bodies) != 1:
-            failures.append(f"{level} was found {len(bodies)} times in {sys.argv[1]}")
-        for body in bodies:
-            failures.extend(problems(level, body))
-            print(f"{level}: {len(body)} instructions")
+        for loop in LOOPS:
+            bodies = [body for name, body in found.items()
+                      if level in name and loop in name and not name.endswith(".cold")]
+            if len(bodies) != 1:
+                failures.append(f"{loop} for {level} was found {len(bodies)} times in {sys.argv[1]}")
+            for body in bodies:
+                failures.extend(f"{loop}: {problem}" for problem in problems(level, body))
+                print(f"{loop}, {level}: {len(body)} instructions")
     for failure in failures:
         print(failure)
     return 1 if failures else 0

@@ -42,7 +42,7 @@ struct Setting {
   void build() { build(Csr<WallMemory>::group(particles.owned, {})); }
   WallAlarms evaluate() {
     std::fill(particles.sum.begin(), particles.sum.end(), ForceSum{});
-    return contacts.evaluate(walls, materials, dt, max_overlap, particles);
+    return contacts.evaluate(best_vector_level(), walls, materials, dt, max_overlap, particles);
   }
   Vec3 force(std::size_t i) const {
     const std::int64_t* sum = particles.sum[i].force;

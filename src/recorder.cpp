@@ -40,6 +40,11 @@ const std::vector<std::string> series_columns = {"step",
                                                  "elastic_energy_J",
                                                  "discharged_mass_kg"};
 
+double discharged_mass_of(const Simulation& simulation) {
+  return discharged_mass(simulation.comm(), simulation.deck().discharge.orifice_height, simulation.materials(),
+                         simulation.mass_unit(), simulation.particles(), simulation.left_here());
+}
+
 std::int64_t every(double interval, double timestep) {
   return interval > 0.0 ? std::max<std::int64_t>(1, steps_for(interval, timestep)) : 0;
 }
@@ -154,9 +159,7 @@ void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, con
 
 void Recorder::sample_discharge(const Simulation& simulation) {
   if (!simulation.deck().discharge.enabled) return;
-  const double mass =
-      discharged_mass(simulation.comm(), simulation.deck().discharge.orifice_height, simulation.materials(),
-                      simulation.mass_unit(), simulation.particles(), simulation.left_here());
+  const double mass = discharged_mass_of(simulation);
   const auto& samples = discharge_.samples();
   if (samples.empty() || simulation.time() > samples.back().time) discharge_.add(simulation.time(), mass);
 }
@@ -170,11 +173,7 @@ void Recorder::write_series_row(const Simulation& simulation, const std::string&
   const ContactCount contacts =
       count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
   const std::int64_t particles = inside(simulation);
-  const double discharged =
-      simulation.deck().discharge.enabled
-          ? discharged_mass(comm, simulation.deck().discharge.orifice_height, simulation.materials(),
-                            simulation.mass_unit(), simulation.particles(), simulation.left_here())
-          : 0.0;
+  const double discharged = simulation.deck().discharge.enabled ? discharged_mass_of(simulation) : 0.0;
   const auto& phases = simulation.deck().phases;
   const auto at = std::find_if(phases.begin(), phases.end(), [&](const PhaseDeck& p) { return p.name == phase; });
   const std::array<TimeSeries::Value, 11> row = {

@@ -9,6 +9,7 @@
 #include <benchmark/benchmark.h>
 #include <mpi.h>
 
+#include "contact/fixed_point.h"
 #include "deck/read_deck.h"
 #include "domain/ghost_exchange.h"
 #include "integration/velocity_verlet.h"
@@ -33,8 +34,8 @@ struct Bed {
         simulation(comm, deck, {}, best_vector_level()) {
     for (std::int64_t k = 0; k < deck.phases.front().steps; ++k) simulation.step();
     simulation.check_guards();
-    outer = {deck.neighbours.skin, 160.0 * simulation.time_step().step};
-    inner = {deck.neighbours.inner_skin, 16.0 * simulation.time_step().step};
+    outer = {deck.neighbours.skin, 320.0 * simulation.time_step().step};
+    inner = {deck.neighbours.inner_skin, 32.0 * simulation.time_step().step};
   }
 };
 
@@ -109,6 +110,36 @@ void integration(benchmark::State& state) {
   set_items(state, particles.owned);
 }
 BENCHMARK(integration)->Unit(benchmark::kMicrosecond);
+
+/// The order-independent sum of one component: scaling, range check and conversion.
+void accumulation(benchmark::State& state) {
+  std::vector<double> values;
+  for (const ParticleRecord& p : bed->simulation.particles().record) values.push_back(p.velocity.z);
+  for (auto _ : state) {
+    std::int64_t sum = 0;
+    bool in_range = true;
+    for (const double value : values) in_range &= add_fixed_point(to_fixed_point(value, 0x1p40), sum);
+    benchmark::DoNotOptimize(sum);
+    benchmark::DoNotOptimize(in_range);
+  }
+  set_items(state, values.size());
+}
+BENCHMARK(accumulation)->Unit(benchmark::kMicrosecond);
+
+/// A quarter of the particles, scattered.
+void ghost_packing(benchmark::State& state) {
+  const Particles& particles = bed->simulation.particles();
+  std::vector<std::size_t> sent;
+  for (std::size_t i = 0; i < particles.owned; i += 4) sent.push_back(i);
+  std::vector<Motion> buffer(sent.size());
+  for (auto _ : state) {
+    pack_motion(particles.record, sent, buffer);
+    benchmark::DoNotOptimize(buffer.data());
+    benchmark::ClobberMemory();
+  }
+  set_items(state, sent.size());
+}
+BENCHMARK(ghost_packing)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

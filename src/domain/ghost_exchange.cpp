@@ -97,11 +97,16 @@ void GhostExchange::free_requests() {
   requests_.clear();
 }
 
-void GhostExchange::start(const Particles& particles) {
-  for (std::size_t k = 0; k < send_index_.size(); ++k) {
-    const ParticleRecord& p = particles.record[send_index_[k]];
-    send_buffer_[k] = {p.position, p.velocity, p.spin};
+void pack_motion(std::span<const ParticleRecord> records, std::span<const std::size_t> index,
+                 std::span<Motion> buffer) {
+  for (std::size_t k = 0; k < index.size(); ++k) {
+    const ParticleRecord& p = records[index[k]];
+    buffer[k] = {p.position, p.velocity, p.spin};
   }
+}
+
+void GhostExchange::start(const Particles& particles) {
+  pack_motion(particles.record, send_index_, send_buffer_);
   if (requests_.empty()) return;
   check_mpi(MPI_Startall(static_cast<int>(requests_.size()), requests_.data()), "MPI_Startall");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "comm/communicator.h"
@@ -8,6 +9,14 @@
 #include "scene/reach.h"
 
 namespace repose {
+
+/// What of a ghost travels at each step.
+struct Motion {
+  Vec3 position, velocity, spin;
+};
+
+/// Copies the motion of particles `index` to `buffer`, one each.
+void pack_motion(std::span<const ParticleRecord> records, std::span<const std::size_t> index, std::span<Motion> buffer);
 
 /// The ghosts of a rank: copies of the particles of other ranks that may touch its own before the next list rebuild.
 /// The lists of who sends what to whom are made at a rebuild; each step only positions, velocities and spins travel, by
@@ -29,9 +38,6 @@ class GhostExchange {
   void finish(Particles& particles);
 
  private:
-  struct Motion {
-    Vec3 position, velocity, spin;
-  };
   /// The ghosts exchanged with one other rank.
   struct Link {
     int rank;

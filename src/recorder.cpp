@@ -109,41 +109,34 @@ void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
   if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
 }
 
+Recorder::Due Recorder::due_at(std::int64_t step, const Deck& deck) const {
+  return {.trace = deck.output.trace && step % deck.output.trace_every == 0,
+          .check = step % deck.run.check_every == 0,
+          .series = series_every_ > 0 && step % series_every_ == 0,
+          .snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) ||
+                      std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end()};
+}
+
 std::int64_t Recorder::steps_to_next(const Simulation& simulation) const {
-  const Deck& deck = simulation.deck();
-  const std::int64_t step = simulation.steps();
-  std::int64_t next = deck.run.check_every - step % deck.run.check_every;
-  const auto regularly = [&](std::int64_t interval) {
-    if (interval > 0) next = std::min(next, interval - step % interval);
-  };
-  regularly(series_every_);
-  regularly(snapshot_every_);
-  if (deck.output.trace) regularly(deck.output.trace_every);
-  for (const std::int64_t s : snapshot_steps_) {
-    if (s > step) next = std::min(next, s - step);
-  }
-  return next;
+  std::int64_t steps = 1;
+  while (!due_at(simulation.steps() + steps, simulation.deck()).anything()) ++steps;
+  return steps;
 }
 
 void Recorder::steps_done(const Simulation& simulation, const Phase& phase) {
-  const Deck& deck = simulation.deck();
   const std::int64_t step = simulation.steps();
-  const bool trace = deck.output.trace && step % deck.output.trace_every == 0;
-  const bool check = step % deck.run.check_every == 0;
-  const bool series = series_every_ > 0 && step % series_every_ == 0;
-  const bool snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) ||
-                        std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end();
+  const Due due = due_at(step, simulation.deck());
   particle_steps_ += static_cast<double>((step - counted_steps_) * inside_);
   counted_steps_ = step;
-  if (trace || check || series || snapshot) simulation.check_guards();  // no bad state gets into a file
-  if (trace) write_trace(simulation);
-  if (check) {
+  if (due.anything()) simulation.check_guards();  // no bad state gets into a file
+  if (due.trace) write_trace(simulation);
+  if (due.check) {
     inside_ = inside(simulation);
     if (opened_) sample_discharge(simulation);
     report_progress(simulation, phase);
   }
-  if (series) write_series_row(simulation, phase.deck().name);
-  if (snapshot) write_snapshot_now(simulation);
+  if (due.series) write_series_row(simulation, phase.deck().name);
+  if (due.snapshot) write_snapshot_now(simulation);
 }
 
 void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, const std::string& ended_by) {
@@ -262,9 +255,8 @@ void Recorder::measure_pile(const Simulation& simulation, Summary& summary) {
 }
 
 /// What the time loop has cost so far: time, by stage too, and memory.
-void Recorder::measure_cost(Simulation& simulation, Summary& summary) const {
+void Recorder::measure_cost(const Simulation& simulation, Summary& summary) const {
   const Communicator& comm = simulation.comm();
-  simulation.clock().enter(Stage::output);
   summary.loop_wall_seconds = seconds_since(start_);
   std::array<double, stage_names.size()> sum = simulation.clock().seconds();
   std::array<double, stage_names.size()> longest = sum;
@@ -273,10 +265,8 @@ void Recorder::measure_cost(Simulation& simulation, Summary& summary) const {
   for (std::size_t k = 0; k < sum.size(); ++k) {
     summary.stages.push_back({stage_names[k], sum[k] / comm.size(), longest[k]});
   }
-  std::array<double, 1> cpu = {static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC};
-  comm.sum_elements(std::span(cpu.begin(), cpu.end()));
-  summary.loop_cpu_seconds = cpu[0];
-  summary.particle_steps_per_cpu_second = particle_steps_ / cpu[0];
+  summary.loop_cpu_seconds = comm.sum(static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC);
+  summary.particle_steps_per_cpu_second = particle_steps_ / summary.loop_cpu_seconds;
 
   summary.list_rebuilds = simulation.counters().rebuilds;
   summary.inner_selections = simulation.counters().inner_selections;
@@ -293,7 +283,7 @@ void Recorder::measure_cost(Simulation& simulation, Summary& summary) const {
   summary.memory_bytes_per_particle = per_particle(simulation.memory_bytes());
 }
 
-Summary Recorder::finish(Simulation& simulation) {
+Summary Recorder::finish(const Simulation& simulation) {
   const Communicator& comm = simulation.comm();
   Summary s;
   measure_cost(simulation, s);

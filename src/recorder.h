@@ -39,16 +39,22 @@ class Recorder {
   void phase_ended(const Simulation& simulation, const Phase& phase, const std::string& ended_by);
 
   /// Last snapshot, angle of repose and silhouette picture, summary.json. The summary is complete on rank 0.
-  Summary finish(Simulation& simulation);
+  Summary finish(const Simulation& simulation);
 
  private:
+  /// What is to be done at a step.
+  struct Due {
+    bool trace, check, series, snapshot;
+    bool anything() const { return trace || check || series || snapshot; }
+  };
+  Due due_at(std::int64_t step, const Deck& deck) const;
   void remove_earlier_results() const;
   void sample_discharge(const Simulation& simulation);
   void write_series_row(const Simulation& simulation, const std::string& phase);
   void write_trace(const Simulation& simulation);
   void write_snapshot_now(const Simulation& simulation);
   void report_progress(const Simulation& simulation, const Phase& phase);
-  void measure_cost(Simulation& simulation, Summary& summary) const;
+  void measure_cost(const Simulation& simulation, Summary& summary) const;
   void measure_pile(const Simulation& simulation, Summary& summary);
   std::int64_t inside(const Simulation& simulation) const;
   std::string path(const std::string& file) const { return options_.directory + "/" + file; }

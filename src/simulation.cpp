@@ -35,6 +35,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   rebuild_lists();
   evaluate_forces(0.0);
   check_guards();
+  clock_ = {};  // the set-up belongs to no stage
 }
 
 /// Each rank starts with an equal share of the ids; the first rebuild sends the particles where they belong.

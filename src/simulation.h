@@ -62,8 +62,9 @@ class Simulation {
   const TimeStep& time_step() const { return time_step_; }
   const RunCounters& counters() const { return counters_; }
   const ExitCount& left_here() const { return left_; }  ///< on this rank
-  /// Where this rank's time goes; whoever does something else between two steps enters Stage::output.
-  StageClock& clock() { return clock_; }
+  const SkinWatch& skins() const { return watch_; }
+  /// Where this rank's time has gone since the set-up; what happens between two calls of advance is Stage::output.
+  const StageClock& clock() const { return clock_; }
   /// Bytes this rank holds for its particles, ghosts, neighbour lists and contact histories.
   std::size_t memory_bytes() const;
   std::int64_t inserted() const { return inserted_; }
@@ -75,12 +76,12 @@ class Simulation {
  private:
   /// What the neighbour lists need after the particles have moved.
   enum class ListState { valid, inner_stale, outer_stale };
-  void count_leavers(std::size_t outside);
 
   void insert(const NewParticles& all);
   void rebuild_lists();
   void balance();
   void check_time_step();
+  void count_leavers(std::size_t outside);
   ListState agreed_list_state(bool inner_used_up);
   void renew_lists(ListState state);
   void select_near();

@@ -17,12 +17,17 @@ class StageClock {
  public:
   void enter(Stage stage) {
     const auto now = std::chrono::steady_clock::now();
-    seconds_[static_cast<std::size_t>(stage_)] += std::chrono::duration<double>(now - since_).count();
+    seconds_ = seconds(now);
     since_ = now;
     stage_ = stage;
   }
-  /// Seconds per stage up to the last change.
-  const std::array<double, stage_names.size()>& seconds() const { return seconds_; }
+  /// Seconds per stage up to `now`.
+  std::array<double, stage_names.size()> seconds(
+      std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now()) const {
+    auto seconds = seconds_;
+    seconds[static_cast<std::size_t>(stage_)] += std::chrono::duration<double>(now - since_).count();
+    return seconds;
+  }
 
  private:
   std::array<double, stage_names.size()> seconds_{};

@@ -3,18 +3,18 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 #include <mpi.h>
 
-#include "contact/fixed_point.h"
+#include "contact/lanes.h"
 #include "deck/read_deck.h"
 #include "domain/ghost_exchange.h"
 #include "integration/velocity_verlet.h"
 #include "neighbours/pair_lists.h"
-#include "neighbours/skin_watch.h"
 #include "shared_file.h"
 #include "simulation.h"
 
@@ -27,15 +27,12 @@ struct Bed {
   Communicator comm{MPI_COMM_WORLD};
   Deck deck;
   Simulation simulation;
-  SkinRule outer, inner;
 
   explicit Bed(const std::vector<std::string>& overrides)
       : deck(read_deck(read_shared_file(comm, REPOSE_BED_DECK), "bed.toml", overrides)),
         simulation(comm, deck, {}, best_vector_level()) {
-    for (std::int64_t k = 0; k < deck.phases.front().steps; ++k) simulation.step();
+    simulation.advance(deck.phases.front().steps);
     simulation.check_guards();
-    outer = {deck.neighbours.skin, 320.0 * simulation.time_step().step};
-    inner = {deck.neighbours.inner_skin, 32.0 * simulation.time_step().step};
   }
 };
 
@@ -49,7 +46,8 @@ void set_items(benchmark::State& state, std::size_t items) {
 void list_build(benchmark::State& state) {
   const Particles& particles = bed->simulation.particles();
   std::vector<double> reach;
-  for (std::size_t i = 0; i < particles.owned; ++i) reach.push_back(reach_of(particles.record[i], bed->outer));
+  for (std::size_t i = 0; i < particles.owned; ++i)
+    reach.push_back(reach_of(particles.record[i], bed->simulation.skins().outer()));
   const Csr<PairMemory> memory = bed->simulation.pairs().memory(particles);
   for (auto _ : state) {
     PairLists pairs;
@@ -62,7 +60,7 @@ BENCHMARK(list_build)->Unit(benchmark::kMicrosecond);
 
 void distance_filter(benchmark::State& state) {
   PairLists pairs = bed->simulation.pairs();
-  for (auto _ : state) pairs.select_near(bed->simulation.particles(), bed->inner);
+  for (auto _ : state) pairs.select_near(bed->simulation.particles(), bed->simulation.skins().inner());
   set_items(state, pairs.listed());
 }
 BENCHMARK(distance_filter)->Unit(benchmark::kMicrosecond);
@@ -74,8 +72,8 @@ void contact_kernel(benchmark::State& state, VectorLevel level) {
   const PairParameters& pair = bed->simulation.materials().pair(0, 0);
   for (auto _ : state) {
     for (PairGroup& group : pairs.groups()) {
-      const PairLoopAlarms alarms = evaluate_pairs(level, group.blocks, group.fetch, pair, 0.0, 0.3,
-                                                   particles.record.data(), particles.sum.data());
+      const ContactAlarms alarms = evaluate_pairs(level, group.blocks, group.fetch, pair, 0.0, 0.3,
+                                                  particles.record.data(), particles.sum.data());
       benchmark::DoNotOptimize(alarms.any());
     }
   }
@@ -99,8 +97,7 @@ BENCHMARK(wall_kernel)->Unit(benchmark::kMicrosecond);
 
 void integration(benchmark::State& state) {
   Particles particles = bed->simulation.particles();
-  SkinWatch watch(bed->inner, bed->outer);
-  watch.inner_selected(particles);
+  const SkinWatch& watch = bed->simulation.skins();
   for (auto _ : state) {
     const StepNotes notes =
         step_first_half(best_vector_level(), {}, 0.0, bed->deck.domain, watch.inner_marks(), particles);
@@ -111,18 +108,24 @@ void integration(benchmark::State& state) {
 }
 BENCHMARK(integration)->Unit(benchmark::kMicrosecond);
 
-/// The order-independent sum of one component: scaling, range check and conversion.
+/// Forces and torques, already scaled, into the fixed-point sums of the particles in their order.
 void accumulation(benchmark::State& state) {
-  std::vector<double> values;
-  for (const ParticleRecord& p : bed->simulation.particles().record) values.push_back(p.velocity.z);
+  Particles particles = bed->simulation.particles();
+  std::vector<std::int32_t> index(particles.owned / 4 * 4);
+  std::iota(index.begin(), index.end(), 0);
+  const QuadVec3 value =
+      to_fixed_point({broadcast<Quad>(1.0), broadcast<Quad>(2.0), broadcast<Quad>(3.0)}, broadcast<Quad>(0x1p20));
   for (auto _ : state) {
-    std::int64_t sum = 0;
-    bool in_range = true;
-    for (const double value : values) in_range &= add_fixed_point(to_fixed_point(value, 0x1p40), sum);
-    benchmark::DoNotOptimize(sum);
-    benchmark::DoNotOptimize(in_range);
+    QuadBits difference = {};
+    at_level(best_vector_level(), [&]() REPOSE_INLINE {
+      for (std::size_t k = 0; k < index.size(); k += 4) {
+        scatter(value, value, &index[k], particles.sum.data(), difference);
+      }
+    });
+    benchmark::DoNotOptimize(difference);
+    benchmark::DoNotOptimize(particles.sum.data());
   }
-  set_items(state, values.size());
+  set_items(state, index.size());
 }
 BENCHMARK(accumulation)->Unit(benchmark::kMicrosecond);
 

@@ -8,7 +8,7 @@ import subprocess
 import numpy as np
 
 import vessel
-from scenes import DENSITY, DISCHARGE_DECK, Scene, read_snapshot, write_data
+from scenes import DENSITY, DISCHARGE_DECK, Scene, read_snapshot, set_options, write_data
 
 DIAMETERS = {"mono": (440e-6, 440e-6), "range": (208e-6, 724e-6)}  # smallest and largest, m
 STEP_440 = 5e-6  # s, time step of grains of 440 um; goes with the diameter
@@ -42,8 +42,7 @@ def repose(program, scene, phases, tilted=False):
 
 
 def run(program, deck, output, overrides):
-    sets = [word for value in overrides for word in ("--set", value)]
-    subprocess.run(["nice", program, "run", deck, "--output", output, *sets], check=True)
+    subprocess.run(["nice", program, "run", deck, "--output", output, *set_options(overrides)], check=True)
 
 
 def settled(work, program, size, sizes):

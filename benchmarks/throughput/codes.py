@@ -7,7 +7,7 @@ import pathlib
 import re
 import tomllib
 
-from scenes import INPUTS
+from scenes import INPUTS, set_options
 
 PHASES = """
 [[phase]]
@@ -33,8 +33,7 @@ class Repose:
         phases = PHASES.format(relax=relax, steps=steps)
         if case == "discharge_mini":
             phases += 'remove_walls = ["lid"]\n'
-        overrides = scene.overrides(tilted=case == "moving")
-        sets = [word for value in overrides for word in ("--set", value)]
+        sets = set_options(scene.overrides(tilted=case == "moving"))
         deck = scene.write_deck(folder.with_suffix(".toml"), phases)
         return [self.executable, "run", deck, "--output", str(folder), "--quiet", *sets]
 
@@ -44,7 +43,7 @@ class Repose:
         with open(pathlib.Path(folder, "series.csv")) as file:
             energy = float(list(csv.DictReader(file))[-1]["translational_energy_J"])
         figures = {"kinetic_energy_J": energy, "wall_seconds": summary["wall_seconds"],
-                   "inside": summary["particles"]["inside"], **(summary.get("timing") or {})}
+                   "inside": summary["particles"]["inside"], **summary["timing"]}
         if summary["retained_mass_kg"] is not None and summary["discharged_mass_kg"] is not None:
             total = summary["retained_mass_kg"] + summary["discharged_mass_kg"]
             figures["kept"] = round(summary["particles"]["inserted"] * summary["retained_mass_kg"] / total)

@@ -54,7 +54,7 @@ class Scene:
         return str(path)
 
     def overrides(self, tilted=False):
-        """Values of --set: the size of the box and the direction of gravity."""
+        """The size of the box and the direction of gravity, as key=value."""
         if self.kind == "discharge":
             return []
         h = self.half
@@ -75,6 +75,11 @@ class Scene:
         """No contact history and no spin: all programs start alike."""
         write_list(pathlib.Path(self.folder, "grains.csv"), position, velocity, radius)
         write_data(pathlib.Path(self.folder, "grains.data"), self.bounds(), position, velocity, radius)
+
+
+def set_options(overrides):
+    """Words of the command line that override keys of a deck."""
+    return [word for value in overrides for word in ("--set", value)]
 
 
 def write_list(path, position, velocity, radius):

@@ -34,6 +34,11 @@ using QuadVec3 = Vector3<Quad>;
   *reinterpret_cast<QuadInMemory*>(column) = q;
 }
 
+/// How many lanes a comparison holds in, of one or of several added up: each is minus one.
+[[gnu::always_inline]] inline std::int64_t count(const QuadInt& comparisons) {
+  return -(comparisons[0] + comparisons[1] + comparisons[2] + comparisons[3]);
+}
+
 /// Rows become columns, in place. Everything is inlined: the type has no calling convention shared by all vector
 /// levels.
 [[gnu::always_inline]] inline void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
@@ -49,14 +54,14 @@ using QuadVec3 = Vector3<Quad>;
 
 /// Each element as static_cast<double> would convert it, without an instruction for that (AVX2 has none): both halves
 /// as the low bits of doubles of known exponent, put together by the one addition that rounds.
-[[gnu::always_inline]] inline void to_double(const QuadInt& value, Quad& result) {
+[[gnu::always_inline]] inline Quad to_double(const QuadInt& value) {
   constexpr std::uint64_t low_exponent = 0x4330000000000000;   // 2^52
   constexpr std::uint64_t high_exponent = 0x4530000000000000;  // 2^84
   constexpr double shift = 0x1p84 + 0x1p63 + 0x1p52;
   const auto bits = reinterpret_cast<QuadBits>(value);
   const QuadBits low = (bits & 0xffffffff) | low_exponent;
   const QuadBits high = ((bits ^ 0x8000000000000000) >> 32) | high_exponent;
-  result = (reinterpret_cast<Quad>(high) - shift) + reinterpret_cast<Quad>(low);
+  return (reinterpret_cast<Quad>(high) - shift) + reinterpret_cast<Quad>(low);
 }
 
 }  // namespace repose

@@ -42,6 +42,12 @@ REPOSE_VEC3 Real squared_norm(const Vector3<Real>& a) { return dot(a, a); }
 
 #undef REPOSE_VEC3
 
+/// A number as a Real: the same in every lane.
+template <class Real>
+[[gnu::always_inline]] constexpr Real broadcast(double x) {
+  return Real{} + x;
+}
+
 // What contact laws need beyond arithmetic, by the same names for a double and for a Quad (quad.h).
 [[gnu::always_inline]] inline double square_root(double x) { return std::sqrt(x); }
 [[gnu::always_inline]] inline double magnitude(double x) { return std::fabs(x); }

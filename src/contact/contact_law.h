@@ -8,9 +8,8 @@ namespace repose {
 
 template <class Real>
 struct BasicContactForces {
-  Vector3<Real> force;  ///< N, on the first body
-  Vector3<Real>
-      friction_arm;  ///< N, n x F_t: times minus the lever arm it is the torque of the friction on either body
+  Vector3<Real> force;           ///< N, on the first body
+  Vector3<Real> friction_arm;    ///< N, n x F_t: the friction's torque on either body over minus its lever arm
   Vector3<Real> rolling_moment;  ///< N m, taken from the first body and given to the second
 };
 using ContactForces = BasicContactForces<double>;

@@ -19,7 +19,7 @@ template <class Real>
   const Vector3<Real> trial = moment + (k_r * dt) * contact.rolling_velocity;
   const Real size = square_root(squared_norm(trial));
   const Real limit = pair.rolling_friction * magnitude(normal_force) * contact.radius_eff;
-  const Real remaining = select(size > limit, limit / size, Real{} + 1.0);
+  const Real remaining = select(size > limit, limit / size, broadcast<Real>(1.0));
   return remaining * trial;
 }
 

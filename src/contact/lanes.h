@@ -13,11 +13,6 @@
 
 namespace repose {
 
-[[gnu::always_inline]] inline const char* address(const ParticleRecord* records, std::int32_t index) {
-  const std::size_t triple = 3 * static_cast<std::size_t>(static_cast<std::uint32_t>(index));
-  return reinterpret_cast<const char*>(records) + (triple << 5);
-}
-
 /// One particle of each of four lanes.
 struct QuadParticle {
   QuadVec3 position, velocity, spin;
@@ -25,10 +20,10 @@ struct QuadParticle {
 };
 
 [[gnu::always_inline]] inline QuadParticle gather(const ParticleRecord* records, const std::int32_t* index) {
-  const auto* r0 = reinterpret_cast<const QuadInMemory*>(address(records, index[0]));
-  const auto* r1 = reinterpret_cast<const QuadInMemory*>(address(records, index[1]));
-  const auto* r2 = reinterpret_cast<const QuadInMemory*>(address(records, index[2]));
-  const auto* r3 = reinterpret_cast<const QuadInMemory*>(address(records, index[3]));
+  const auto* r0 = reinterpret_cast<const QuadInMemory*>(records + index[0]);
+  const auto* r1 = reinterpret_cast<const QuadInMemory*>(records + index[1]);
+  const auto* r2 = reinterpret_cast<const QuadInMemory*>(records + index[2]);
+  const auto* r3 = reinterpret_cast<const QuadInMemory*>(records + index[3]);
   QuadParticle p = {{r0[0], r1[0], r2[0]}, {r0[1], r1[1], r2[1]}, {r0[2], r1[2], r2[2]}, r3[0], r3[1], r3[2]};
   transpose(p.position.x, p.position.y, p.position.z, p.radius);
   transpose(p.velocity.x, p.velocity.y, p.velocity.z, p.force_scale);
@@ -36,16 +31,15 @@ struct QuadParticle {
   return p;
 }
 
-/// Columns that are the components of a vector of each lane.
-struct LaneVectors {
-  alignas(64) double x[block_lanes], y[block_lanes], z[block_lanes];
-  [[gnu::always_inline]] QuadVec3 get(int k) const { return {load(x + k), load(y + k), load(z + k)}; }
-  [[gnu::always_inline]] void set(int k, const QuadVec3& v) {
-    store(v.x, x + k);
-    store(v.y, y + k);
-    store(v.z, z + k);
-  }
-};
+/// A vector of each of four lanes, from and to the columns of its components.
+[[gnu::always_inline]] inline QuadVec3 load(const double (&columns)[3][block_lanes], int k) {
+  return {load(columns[0] + k), load(columns[1] + k), load(columns[2] + k)};
+}
+[[gnu::always_inline]] inline void store(const QuadVec3& v, double (&columns)[3][block_lanes], int k) {
+  store(v.x, columns[0] + k);
+  store(v.y, columns[1] + k);
+  store(v.z, columns[2] + k);
+}
 
 /// A body's lever arm in each lane, in m, and the scales of its sums.
 struct LaneBody {
@@ -59,17 +53,21 @@ struct LaneBody {
 
 /// ContactGeometry by column.
 struct LaneGeometry {
-  LaneVectors normal, tangential_velocity, rolling_velocity;
+  alignas(64) double normal[3][block_lanes], tangential_velocity[3][block_lanes], rolling_velocity[3][block_lanes];
   alignas(64) double overlap[block_lanes], radius_eff[block_lanes], mass_eff[block_lanes], normal_velocity[block_lanes];
   [[gnu::always_inline]] BasicContactGeometry<Quad> get(int k) const {
-    return {normal.get(k),          load(overlap + k),         load(radius_eff + k),
-            load(mass_eff + k),     load(normal_velocity + k), tangential_velocity.get(k),
-            rolling_velocity.get(k)};
+    return {.normal = load(normal, k),
+            .overlap = load(overlap + k),
+            .radius_eff = load(radius_eff + k),
+            .mass_eff = load(mass_eff + k),
+            .normal_velocity = load(normal_velocity + k),
+            .tangential_velocity = load(tangential_velocity, k),
+            .rolling_velocity = load(rolling_velocity, k)};
   }
   [[gnu::always_inline]] void set(int k, const BasicContactGeometry<Quad>& contact) {
-    normal.set(k, contact.normal);
-    tangential_velocity.set(k, contact.tangential_velocity);
-    rolling_velocity.set(k, contact.rolling_velocity);
+    store(contact.normal, normal, k);
+    store(contact.tangential_velocity, tangential_velocity, k);
+    store(contact.rolling_velocity, rolling_velocity, k);
     store(contact.overlap, overlap + k);
     store(contact.radius_eff, radius_eff + k);
     store(contact.mass_eff, mass_eff + k);
@@ -78,19 +76,17 @@ struct LaneGeometry {
 };
 
 [[gnu::always_inline]] inline void add_row(const Quad& row, std::int64_t* sum) {
-  constexpr auto offset = std::bit_cast<std::uint64_t>(fixed_point_offset);
-  *reinterpret_cast<QuadBitsInMemory*>(sum) += reinterpret_cast<QuadBits>(row) - offset;
+  *reinterpret_cast<QuadBitsInMemory*>(sum) += reinterpret_cast<QuadBits>(row) - fixed_point_offset_bits;
 }
 
-/// Adds offset values (fixed_point.h) to the sums of four particles. `difference` collects the bits in which they
-/// differ from the offset: none at fixed_point_bits or above as long as all are in range. What is not wraps until the
-/// alarm is seen.
+/// Adds offset values to the sums of four particles. `difference` collects what in_fixed_point_range asks for; what is
+/// not in range wraps until the alarm is seen.
 [[gnu::always_inline]] inline void scatter(Quad x, Quad y, Quad z, std::int64_t* s0, std::int64_t* s1, std::int64_t* s2,
                                            std::int64_t* s3, QuadBits& difference) {
-  constexpr auto offset = std::bit_cast<std::uint64_t>(fixed_point_offset);
-  difference |= (reinterpret_cast<QuadBits>(x) ^ offset) | (reinterpret_cast<QuadBits>(y) ^ offset) |
-                (reinterpret_cast<QuadBits>(z) ^ offset);
-  Quad w = Quad{} + fixed_point_offset;
+  difference |= (reinterpret_cast<QuadBits>(x) ^ fixed_point_offset_bits) |
+                (reinterpret_cast<QuadBits>(y) ^ fixed_point_offset_bits) |
+                (reinterpret_cast<QuadBits>(z) ^ fixed_point_offset_bits);
+  auto w = broadcast<Quad>(fixed_point_offset);
   transpose(x, y, z, w);
   add_row(x, s0);
   add_row(y, s1);
@@ -110,23 +106,20 @@ struct LaneGeometry {
 }
 
 [[gnu::always_inline]] inline QuadVec3 to_fixed_point(const QuadVec3& v, const Quad& scale) {
-  return {v.x * scale + fixed_point_offset, v.y * scale + fixed_point_offset, v.z * scale + fixed_point_offset};
+  return {to_fixed_point(v.x, scale), to_fixed_point(v.y, scale), to_fixed_point(v.z, scale)};
 }
-/// The same of -v, bit for bit.
 [[gnu::always_inline]] inline QuadVec3 to_fixed_point_negated(const QuadVec3& v, const Quad& scale) {
-  return {fixed_point_offset - v.x * scale, fixed_point_offset - v.y * scale, fixed_point_offset - v.z * scale};
+  return {to_fixed_point_negated(v.x, scale), to_fixed_point_negated(v.y, scale), to_fixed_point_negated(v.z, scale)};
 }
 
-[[gnu::always_inline]] inline void store_history(const QuadVec3& v, const QuadInt& touching,
-                                                 double (&columns)[3][block_lanes], int k) {
-  store(select(touching, v.x, Quad{}), columns[0] + k);
-  store(select(touching, v.y, Quad{}), columns[1] + k);
-  store(select(touching, v.z, Quad{}), columns[2] + k);
+/// `v` where `condition` holds, else zero.
+[[gnu::always_inline]] inline QuadVec3 where(const QuadInt& condition, const QuadVec3& v) {
+  return {select(condition, v.x, Quad{}), select(condition, v.y, Quad{}), select(condition, v.z, Quad{})};
 }
 
 /// Evaluates the contact law on every lane, advances the histories of the block by `dt` s and adds forces and torques
 /// to the sums of the first bodies, and of the second ones if those are particles (`b` is not null). Returns the
-/// difference that scatter speaks of.
+/// difference that scatter collects.
 [[gnu::always_inline]] inline std::uint64_t evaluate_law(const PairParameters& pair_in, double dt,
                                                          const LaneGeometry& lanes, const LaneBody& a,
                                                          const LaneBody* b, ContactBlock& block, ForceSum* sums) {
@@ -134,18 +127,14 @@ struct LaneGeometry {
   QuadBits difference = {};
   for (int k = 0; k < block_lanes; k += 4) {
     const BasicContactGeometry<Quad> contact = lanes.get(k);
-    BasicContactHistory<Quad> history = {
-        {load(block.spring[0] + k), load(block.spring[1] + k), load(block.spring[2] + k)},
-        {load(block.rolling[0] + k), load(block.rolling[1] + k), load(block.rolling[2] + k)}};
+    BasicContactHistory<Quad> history = {load(block.spring, k), load(block.rolling, k)};
     const BasicContactForces<Quad> forces = contact_law(pair, contact, dt, history);
 
     // Without overlap all stiffness is zero, and so is every force; only the histories have to be cut.
     const QuadInt touching = contact.overlap > Quad{};
-    store_history(history.spring, touching, block.spring, k);
-    store_history(history.rolling, touching, block.rolling, k);
-    const QuadVec3 moment = {select(touching, forces.rolling_moment.x, Quad{}),
-                             select(touching, forces.rolling_moment.y, Quad{}),
-                             select(touching, forces.rolling_moment.z, Quad{})};
+    const QuadVec3 moment = where(touching, forces.rolling_moment);
+    store(where(touching, history.spring), block.spring, k);
+    store(moment, block.rolling, k);
     const QuadVec3 taken = load(a.arm + k) * forces.friction_arm + moment;
     scatter(to_fixed_point(forces.force, load(a.force_scale + k)),
             to_fixed_point_negated(taken, load(a.torque_scale + k)), block.first + k, sums, difference);

@@ -15,11 +15,12 @@ template <class Real>
                                                           const BasicContactGeometry<Real>& contact,
                                                           const std::type_identity_t<Real>& normal_force, double dt,
                                                           Vector3<Real>& spring) {
-  const Vector3<Real> xi = without_normal_part(spring + (Real{} + dt) * contact.tangential_velocity, contact.normal);
+  const Vector3<Real> xi =
+      without_normal_part(spring + broadcast<Real>(dt) * contact.tangential_velocity, contact.normal);
   const Real trial = k.tangential * square_root(squared_norm(xi));
   const Real limit = pair.sliding_friction * magnitude(normal_force);
   const auto slides = trial > limit;
-  const Real remaining = select(slides, limit / trial, Real{} + 1.0);
+  const Real remaining = select(slides, limit / trial, broadcast<Real>(1.0));
   const Real damping = select(slides, Real{}, k.tangential_damping);
   spring = remaining * xi;
   return (-k.tangential) * spring - damping * contact.tangential_velocity;

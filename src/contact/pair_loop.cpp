@@ -6,8 +6,8 @@
 namespace repose {
 namespace {
 
-/// Asks for what a later block will read and write, a part at a time between the phases of the present one: the
-/// processor can wait for some twenty lines at once, and stands still when asked for more.
+/// Asks for what a later block will read and write, a part with each quad of the present one: the processor can wait
+/// for some twenty lines at once, and stands still when asked for more.
 class Prefetch {
  public:
   [[gnu::always_inline]] Prefetch(std::span<const ContactBlock> blocks, const FetchList& fetch, std::size_t later,
@@ -22,7 +22,7 @@ class Prefetch {
     constexpr std::size_t bytes = sizeof(ContactBlock) / parts;
     for (std::size_t at = k * bytes; at < (k + 1) * bytes; at += 64) __builtin_prefetch(line_ + at, 1);
     for (std::size_t p = k * particles_.size() / parts; p < (k + 1) * particles_.size() / parts; ++p) {
-      const char* record = address(records_, particles_[p]);
+      const auto* record = reinterpret_cast<const char*>(records_ + particles_[p]);
       __builtin_prefetch(record);
       __builtin_prefetch(record + 64);
       __builtin_prefetch(sums_ + particles_[p], 1);
@@ -43,10 +43,10 @@ class Prefetch {
                                                              const ContactBlock& block, const PairParameters& pair,
                                                              double max_overlap, LaneGeometry& contact, LaneBody& first,
                                                              LaneBody& second) {
-  const double mass_of_a = sphere_mass(1.0, pair.density_first);
-  const double mass_of_b = sphere_mass(1.0, pair.density_second);
+  const double density_first = pair.density_first;
+  const double density_second = pair.density_second;
   const Quad none = {};
-  QuadInt deep = {};  // minus one for each
+  QuadInt deep = {};
   for (int k = 0; k < block_lanes; k += 4) {
     prefetch.part(static_cast<std::size_t>(k / 4));
     const QuadParticle a = gather(records, block.first + k);
@@ -58,8 +58,8 @@ class Prefetch {
     const QuadVec3 n = (1.0 / distance) * d;
     const Quad arm_a = a.radius - 0.5 * overlap;
     const Quad arm_b = b.radius - 0.5 * overlap;
-    const Quad mass_a = mass_of_a * (a.radius * a.radius * a.radius);
-    const Quad mass_b = mass_of_b * (b.radius * b.radius * b.radius);
+    const Quad mass_a = sphere_mass(a.radius, density_first);
+    const Quad mass_b = sphere_mass(b.radius, density_second);
     const QuadVec3 v = a.velocity - b.velocity;
     const Quad v_n = dot(v, n);
 
@@ -75,29 +75,29 @@ class Prefetch {
     const Quad smaller = a.radius < b.radius ? a.radius : b.radius;
     deep += overlap > max_overlap * smaller;
   }
-  return -(deep[0] + deep[1] + deep[2] + deep[3]);
+  return count(deep);
 }
 
-[[gnu::always_inline]] inline PairLoopAlarms evaluate_body(std::span<ContactBlock> blocks, const FetchList& fetch,
-                                                           const PairParameters& pair, double dt, double max_overlap,
-                                                           const ParticleRecord* records, ForceSum* sums) {
+[[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<ContactBlock> blocks, const FetchList& fetch,
+                                                          const PairParameters& pair, double dt, double max_overlap,
+                                                          const ParticleRecord* records, ForceSum* sums) {
   LaneGeometry contact;
   LaneBody first, second;
-  PairLoopAlarms alarms;
+  ContactAlarms alarms;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const Prefetch prefetch(blocks, fetch, k + 2, records, sums);
     alarms.too_deep += evaluate_geometry(prefetch, records, blocks[k], pair, max_overlap, contact, first, second);
     const std::uint64_t difference = evaluate_law(pair, dt, contact, first, &second, blocks[k], sums);
-    alarms.out_of_range += (difference >> fixed_point_bits) != 0 ? 1 : 0;
+    alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
   }
   return alarms;
 }
 
 }  // namespace
 
-PairLoopAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const FetchList& fetch,
-                              const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
-                              ForceSum* sums) {
+ContactAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const FetchList& fetch,
+                             const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
+                             ForceSum* sums) {
   return at_level(level,
                   [&]() REPOSE_INLINE { return evaluate_body(blocks, fetch, pair, dt, max_overlap, records, sums); });
 }

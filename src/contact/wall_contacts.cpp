@@ -100,8 +100,8 @@ void WallContacts::find_contacts(std::span<const Wall> walls, const Particles& p
       const WallTouch& touch = touches[t];
       if (touch.superseded_by >= 0) continue;
       const WallContact* old = ancestor(before, walls, touches, t);
-      contacts_.push_back({candidate.particle, touch.wall, touch.feature, touch.normal, touch.distance, 0.0,
-                           old != nullptr ? old->history : ContactHistory{}});
+      contacts_.push_back({candidate.particle, touch.wall, touch.feature, touch.normal, touch.distance,
+                           p.radius - touch.distance, old != nullptr ? old->history : ContactHistory{}});
     }
   }
 }
@@ -120,8 +120,8 @@ WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls
   for (std::size_t k = 0; k < of_materials_.size(); ++k) {
     if (of_materials_[k].empty()) continue;
     const PairParameters& pair = materials.pair(k / materials.size(), k % materials.size());
-    const WallLoopAlarms here = evaluate_walls(level, contacts_, of_materials_[k], pair, dt, max_overlap,
-                                               particles.record.data(), particles.sum.data());
+    const ContactAlarms here = evaluate_walls(level, contacts_, of_materials_[k], pair, dt, max_overlap,
+                                              particles.record.data(), particles.sum.data());
     alarms.too_deep += here.too_deep;
     alarms.out_of_range += here.out_of_range;
   }

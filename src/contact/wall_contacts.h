@@ -14,11 +14,9 @@
 
 namespace repose {
 
-struct WallAlarms {
-  std::int64_t too_deep = 0;      ///< contacts whose overlap exceeds the bound
-  std::int64_t out_of_range = 0;  ///< blocks with a force (or NaN) that the fixed-point sum cannot hold
-  std::int64_t too_many = 0;      ///< particles with more touches than a TouchBuffer holds
-  bool any() const { return too_deep + out_of_range + too_many > 0; }
+struct WallAlarms : ContactAlarms {
+  std::int64_t too_many = 0;  ///< particles with more touches than a TouchBuffer holds
+  bool any() const { return ContactAlarms::any() || too_many > 0; }
 };
 
 /// The contacts of the owned particles with walls.

@@ -10,8 +10,7 @@ namespace {
 
 /// Where the walls of a block's contacts are, by column.
 struct LaneWalls {
-  LaneVectors normal;
-  alignas(64) double distance[block_lanes];
+  alignas(64) double normal[3][block_lanes], distance[block_lanes];
 };
 
 /// Lanes without a contact repeat the first particle, at a distance at which it does not touch.
@@ -22,9 +21,9 @@ struct LaneWalls {
   for (int k = 0; k < block_lanes; ++k) {
     const WallContact& contact = contacts[static_cast<std::size_t>(chosen[static_cast<std::size_t>(k < used ? k : 0)])];
     block.first[k] = contact.particle;
-    walls.normal.x[k] = contact.normal.x;
-    walls.normal.y[k] = contact.normal.y;
-    walls.normal.z[k] = contact.normal.z;
+    walls.normal[0][k] = contact.normal.x;
+    walls.normal[1][k] = contact.normal.y;
+    walls.normal[2][k] = contact.normal.z;
     walls.distance[k] = k < used ? contact.distance : records[contact.particle].radius;
     set_history(block, static_cast<std::size_t>(k), contact.history);
   }
@@ -34,12 +33,11 @@ struct LaneWalls {
 [[gnu::always_inline]] inline std::int64_t evaluate_geometry(const ParticleRecord* records, const ContactBlock& block,
                                                              const LaneWalls& walls, double density, double max_overlap,
                                                              LaneGeometry& contact, LaneBody& body) {
-  const double mass_of = sphere_mass(1.0, density);
-  QuadInt deep = {};  // minus one for each
+  QuadInt deep = {};
   for (int k = 0; k < block_lanes; k += 4) {
     const QuadParticle p = gather(records, block.first + k);
     const Quad distance = load(walls.distance + k);
-    const QuadVec3 n = walls.normal.get(k);
+    const QuadVec3 n = load(walls.normal, k);
     const Quad overlap = p.radius - distance;
     const Quad arm = p.radius - 0.5 * overlap;
     const Quad v_n = dot(p.velocity, n);
@@ -47,35 +45,33 @@ struct LaneWalls {
     contact.set(k, {.normal = n,
                     .overlap = overlap,
                     .radius_eff = p.radius,
-                    .mass_eff = mass_of * (p.radius * p.radius * p.radius),
+                    .mass_eff = sphere_mass(p.radius, density),
                     .normal_velocity = v_n,
                     .tangential_velocity = p.velocity - v_n * n - arm * cross(p.spin, n),
                     .rolling_velocity = (arm / distance) * without_normal_part(p.spin, n)});
     body.set(k, arm, p);
     deep += overlap > max_overlap * p.radius;
   }
-  return -(deep[0] + deep[1] + deep[2] + deep[3]);
+  return count(deep);
 }
 
-[[gnu::always_inline]] inline WallLoopAlarms evaluate_body(std::span<WallContact> contacts,
-                                                           std::span<const std::int32_t> chosen,
-                                                           const PairParameters& pair, double dt, double max_overlap,
-                                                           const ParticleRecord* records, ForceSum* sums) {
+[[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<WallContact> contacts,
+                                                          std::span<const std::int32_t> chosen,
+                                                          const PairParameters& pair, double dt, double max_overlap,
+                                                          const ParticleRecord* records, ForceSum* sums) {
   ContactBlock block;
   LaneWalls walls;
   LaneGeometry contact;
   LaneBody body;
-  WallLoopAlarms alarms;
+  ContactAlarms alarms;
   for (std::size_t begin = 0; begin < chosen.size(); begin += block_lanes) {
     const auto lanes = chosen.subspan(begin, std::min<std::size_t>(block_lanes, chosen.size() - begin));
     gather_contacts(contacts, lanes, records, block, walls);
     alarms.too_deep += evaluate_geometry(records, block, walls, pair.density_first, max_overlap, contact, body);
     const std::uint64_t difference = evaluate_law(pair, dt, contact, body, nullptr, block, sums);
-    alarms.out_of_range += (difference >> fixed_point_bits) != 0 ? 1 : 0;
+    alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
     for (std::size_t k = 0; k < lanes.size(); ++k) {
-      WallContact& evaluated = contacts[static_cast<std::size_t>(lanes[k])];
-      evaluated.overlap = contact.overlap[k];
-      evaluated.history = history(block, k);
+      contacts[static_cast<std::size_t>(lanes[k])].history = history(block, k);
     }
   }
   return alarms;
@@ -83,9 +79,9 @@ struct LaneWalls {
 
 }  // namespace
 
-WallLoopAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts, std::span<const std::int32_t> chosen,
-                              const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
-                              ForceSum* sums) {
+ContactAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts, std::span<const std::int32_t> chosen,
+                             const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
+                             ForceSum* sums) {
   return at_level(
       level, [&]() REPOSE_INLINE { return evaluate_body(contacts, chosen, pair, dt, max_overlap, records, sums); });
 }

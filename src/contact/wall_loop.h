@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/vector_level.h"
+#include "contact/contact_alarms.h"
 #include "scene/contact_memory.h"
 #include "scene/materials.h"
 #include "scene/particles.h"
@@ -21,17 +22,11 @@ struct WallContact {
   ContactHistory history;
 };
 
-/// What went wrong in a wall loop, as counts.
-struct WallLoopAlarms {
-  std::int64_t too_deep = 0;      ///< contacts whose overlap exceeds the bound
-  std::int64_t out_of_range = 0;  ///< blocks with a force (or NaN) that the fixed-point sum cannot hold
-};
-
 /// Evaluates the contact law on those of `contacts` that `chosen` names, all of one pair of materials, and adds forces
 /// and torques to the sums of the particles. Histories advance by `dt` s. `max_overlap` is the bound as a share of the
 /// radius.
-WallLoopAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts, std::span<const std::int32_t> chosen,
-                              const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
-                              ForceSum* sums);
+ContactAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts, std::span<const std::int32_t> chosen,
+                             const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
+                             ForceSum* sums);
 
 }  // namespace repose

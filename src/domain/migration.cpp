@@ -19,7 +19,7 @@ struct Passport {
 
 /// The particles a rank owns after migration, before they are sorted.
 struct Arrivals {
-  BigVector<ParticleRecord> record;
+  std::vector<ParticleRecord> record;
   std::vector<std::int64_t> id;
   std::vector<std::int32_t> material;
   ContactMemory memory;

@@ -21,11 +21,8 @@ template <int kicks>
 [[gnu::always_inline]] inline void kick(const Quad& gravity, double half, double force_to_acceleration,
                                         double torque_to_acceleration, const QuadIntInMemory* sum,
                                         QuadInMemory* record) {
-  Quad force, torque;
-  to_double(sum[0], force);
-  to_double(sum[1], torque);
-  const Quad velocity_kick = half * (force_to_acceleration * force + gravity);
-  const Quad spin_kick = half * (torque_to_acceleration * torque);
+  const Quad velocity_kick = half * (force_to_acceleration * to_double(sum[0]) + gravity);
+  const Quad spin_kick = half * (torque_to_acceleration * to_double(sum[1]));
   for (int k = 0; k < kicks; ++k) {
     record[1] += velocity_kick;
     record[2] += spin_kick;

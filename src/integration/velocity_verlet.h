@@ -4,6 +4,7 @@
 
 #include "base/vector_level.h"
 #include "scene/particles.h"
+#include "scene/reach.h"
 
 namespace repose {
 

@@ -75,10 +75,6 @@ inline ContactHistory lane_history(const PairGroup& group, std::size_t lane) {
   return history(group.blocks[lane / block_lanes], lane % block_lanes);
 }
 
-inline void set_lane_history(PairGroup& group, std::size_t lane, const ContactHistory& h) {
-  set_history(group.blocks[lane / block_lanes], lane % block_lanes, h);
-}
-
 /// Whether nothing is remembered: all bits are zero (a history of negative zeros is one, and is kept as it is).
 inline bool is_blank(const ContactHistory& h) {
   constexpr ContactHistory blank = {};

@@ -22,12 +22,6 @@ struct alignas(32) ParticleRecord {
 };
 static_assert(sizeof(ParticleRecord) == 96);
 
-/// Where a particle was, and the square of how far it may go from there before a neighbour list has to be made anew.
-struct alignas(32) Mark {
-  Vec3 position;
-  double squared_skin;
-};
-
 /// Force and torque on a particle as fixed-point integers: their sum does not depend on the order of the contacts, so
 /// it is the same on any number of ranks. The fourth element is padding.
 struct alignas(64) ForceSum {

@@ -15,6 +15,12 @@ struct SkinRule {
   double horizon;  ///< s
 };
 
+/// Where a particle was when a list was made, and the square of its skin then.
+struct alignas(32) Mark {
+  Vec3 position;
+  double squared_skin;
+};
+
 inline double skin_of(const ParticleRecord& particle, const SkinRule& rule) {
   return rule.share * particle.radius + rule.horizon * norm(particle.velocity);
 }

@@ -4,8 +4,9 @@
 
 namespace repose {
 
-/// Mass of a solid sphere in kg from its radius in m and its density in kg/m^3.
-constexpr double sphere_mass(double radius, double density) {
+/// Mass of a solid sphere in kg from its radius in m (a double, or a Quad of them) and its density in kg/m^3.
+template <class Real>
+[[gnu::always_inline]] constexpr Real sphere_mass(const Real& radius, double density) {
   return density * (4.0 / 3.0 * pi) * (radius * radius * radius);
 }
 

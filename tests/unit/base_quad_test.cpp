@@ -14,7 +14,7 @@ namespace {
 double through_quads(VectorLevel level, std::int64_t value) {
   Quad result = {};
   const QuadInt values = {value, 0, -value, value};
-  at_level(level, [&]() REPOSE_INLINE { to_double(values, result); });
+  at_level(level, [&]() REPOSE_INLINE { result = to_double(values); });
   EXPECT_EQ(result[1], 0.0);
   EXPECT_EQ(result[3], result[0]);
   return result[0];

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/fixed_point.h"
 #include "support/draw.h"
+#include "support/fixed_point_sum.h"
 
 namespace repose::test {
 namespace {

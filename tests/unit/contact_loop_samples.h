@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "contact/contact_law.h"
-#include "contact/fixed_point.h"
 #include "contact/pair_loop.h"
 #include "integration/velocity_verlet.h"
 #include "neighbours/pair_lists.h"
 #include "scene/sphere.h"
 #include "support/draw.h"
+#include "support/fixed_point_sum.h"
 
 namespace repose::test {
 
@@ -26,7 +26,7 @@ struct Loop {
 struct Outcome {
   std::vector<ContactBlock> blocks;
   std::vector<ForceSum> sums;
-  PairLoopAlarms alarms;
+  ContactAlarms alarms;
 };
 
 /// Signed overlaps, over the smaller radius: deep, usual, a last-digit touch, exact touch, gaps.
@@ -108,7 +108,7 @@ inline bool add(const Vec3& v, double scale, std::int64_t* sum) {
 
 /// One lane, written as the theory says it.
 inline void evaluate_scalar(const ParticleRecord& a, const ParticleRecord& b, const PairParameters& pair,
-                            ContactHistory& history, ForceSum& on_a, ForceSum& on_b, PairLoopAlarms& alarms) {
+                            ContactHistory& history, ForceSum& on_a, ForceSum& on_b, ContactAlarms& alarms) {
   const Vec3 apart = a.position - b.position;
   const double distance = norm(apart);
   ContactGeometry contact = {};

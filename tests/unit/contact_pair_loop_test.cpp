@@ -6,21 +6,11 @@
 
 #include "base/error.h"
 #include "contact_loop_samples.h"
+#include "support/levels.h"
 #include "support/scenes.h"
 
 namespace repose::test {
 namespace {
-
-std::vector<VectorLevel> levels_here() {
-  std::vector<VectorLevel> levels;
-  for (const char* name : {"sse2", "avx2", "avx512"}) {
-    try {
-      levels.push_back(vector_level_from(name));
-    } catch (const DeckError&) {  // this processor lacks it
-    }
-  }
-  return levels;
-}
 
 void expect_same_bits(const Outcome& a, const Outcome& b) {
   EXPECT_EQ(std::memcmp(a.blocks.data(), b.blocks.data(), a.blocks.size() * sizeof(ContactBlock)), 0);

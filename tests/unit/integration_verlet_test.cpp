@@ -5,12 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/fixed_point.h"
 #include "deck/deck.h"
 #include "integration/velocity_verlet.h"
 #include "scene/materials.h"
 #include "scene/sphere.h"
 #include "support/draw.h"
+#include "support/fixed_point_sum.h"
+#include "support/levels.h"
 
 namespace repose::test {
 namespace {
@@ -32,19 +33,11 @@ Particles grain_and_ghost() {
 const DomainDeck domain = {{-100.0, -100.0, -100.0}, {100.0, 100.0, 100.0}};
 const std::vector<Mark> here = {{{1.0, 2.0, 3.0}, 1.0}};  // a skin of 1 m
 
-std::vector<VectorLevel> levels() {
-  std::vector<VectorLevel> list;
-  for (const VectorLevel level : {VectorLevel::sse2, VectorLevel::avx2, VectorLevel::avx512}) {
-    if (level <= best_vector_level()) list.push_back(level);
-  }
-  return list;
-}
-
 bool same_bits(const ParticleRecord& a, const ParticleRecord& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 // Powers of two throughout: exact.
 TEST(VelocityVerlet, SecondHalfIsHalfAKick) {
-  for (const VectorLevel level : levels()) {
+  for (const VectorLevel level : levels_here()) {
     Particles p = grain_and_ghost();
     step_second_half(level, {0.0, 0.0, -8.0}, 0.5, p);
     const ParticleRecord expected = {{1.0, 2.0, 3.0},
@@ -59,7 +52,7 @@ TEST(VelocityVerlet, SecondHalfIsHalfAKick) {
 }
 
 TEST(VelocityVerlet, FirstHalfKicksDriftsAndClearsAllSums) {
-  for (const VectorLevel level : levels()) {
+  for (const VectorLevel level : levels_here()) {
     Particles kicked = grain_and_ghost();
     step_second_half(level, {0.0, 0.0, -8.0}, 0.5, kicked);
     Particles p = grain_and_ghost();
@@ -77,7 +70,7 @@ TEST(VelocityVerlet, FirstHalfKicksDriftsAndClearsAllSums) {
 
 TEST(VelocityVerlet, OnePassForTwoHalvesGivesTheSameBits) {
   test::Draw draw(71);
-  for (const VectorLevel level : levels()) {
+  for (const VectorLevel level : levels_here()) {
     for (int trial = 0; trial < 100; ++trial) {
       Particles two = grain_and_ghost();
       two.record[0].velocity = draw.vector(1.0);

@@ -145,9 +145,9 @@ bool same(const ContactHistory& a, const ContactHistory& b) { return a.spring ==
 void give_histories(const Particles& p, PairLists& lists) {
   for (PairGroup& group : lists.groups()) {
     for (std::size_t lane = 0; lane < group.lanes; ++lane) {
-      const ContactBlock& block = group.blocks[lane / block_lanes];
+      ContactBlock& block = group.blocks[lane / block_lanes];
       const std::size_t k = lane % block_lanes;
-      set_lane_history(group, lane, tagged(ids(p, block.first[k], block.second[k])));
+      set_history(block, k, tagged(ids(p, block.first[k], block.second[k])));
     }
   }
 }

@@ -42,7 +42,8 @@ def repose(program, scene, phases, tilted=False):
 
 
 def run(program, deck, output, overrides):
-    subprocess.run(["nice", program, "run", deck, "--output", output, *set_options(overrides)], check=True)
+    """`program` is a list: repose, or mpirun and its options before it."""
+    subprocess.run(["nice", *program, "run", deck, "--output", output, *set_options(overrides)], check=True)
 
 
 def settled(work, program, size, sizes):

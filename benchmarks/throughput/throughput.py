@@ -35,13 +35,13 @@ def arguments():
     scene.add_argument("--case", choices=("settled", "moving", "discharge_mini"), default="settled", help="what is run")
     scene.add_argument("--segment", action="store_true", help="discharge_mini: only the first steps after the lid")
     scene.add_argument("--size", type=int, default=15600, help="grains: 15600, 156000, 1000000")
+    scene.add_argument("--ranks", type=int, default=1, help="also for making the bed, which depends on it in no bit")
     scene.add_argument("--sizes", choices=beds.DIAMETERS, default="mono", help="440 um, or 208 to 724 um")
     commands = parser.add_subparsers(dest="command", required=True)
     commands.add_parser("peers", parents=[common], help="get LAMMPS and LIGGGHTS, and build LIGGGHTS")
     commands.add_parser("beds", parents=[common, scene], help="make the starting state of a case, which run also does")
     run = commands.add_parser("run", parents=[common, scene], help="measure")
     run.add_argument("--codes", type=names_of_codes, default=",".join(CODES), help="the first is divided by the others")
-    run.add_argument("--ranks", type=int, default=1)
     run.add_argument("--pairs", type=int, default=5, help="rounds")
     run.add_argument("--relax", type=int, help="steps before those that count")
     run.add_argument("--steps", type=int, help="steps that count, for every code")
@@ -51,10 +51,11 @@ def arguments():
 
 
 def scene_of(args):
+    program = [*measure.launcher(args.ranks), args.repose]
     if args.case == "discharge_mini":
-        return beds.discharge(args.work, args.repose, args.segment)
+        return beds.discharge(args.work, program, args.segment)
     make = beds.moving if args.case == "moving" else beds.settled
-    return make(args.work, args.repose, args.size, args.sizes)
+    return make(args.work, program, args.size, args.sizes)
 
 
 def label(args):

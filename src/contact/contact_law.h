@@ -1,31 +1,88 @@
 #pragma once
 
+#include "contact/lanes.h"
+// The laws find the arithmetic of quads, which lanes.h declares.
 #include "contact/epsd2.h"
 #include "contact/hertz.h"
 #include "contact/mindlin.h"
 
 namespace repose {
 
-template <class Real>
-struct BasicContactForces {
-  Vector3<Real> force;           ///< N, on the first body
-  Vector3<Real> friction_arm;    ///< N, n x F_t: the friction's torque on either body over minus its lever arm
-  Vector3<Real> rolling_moment;  ///< N m, taken from the first body and given to the second
-};
-using ContactForces = BasicContactForces<double>;
+/// What the passes of the contact law hand on, by column.
+struct LaneLaw {
+  alignas(64) double contact_radius[block_lanes], spring[3][block_lanes], spring_length[block_lanes];
+  alignas(64) double normal[block_lanes], tangential[block_lanes], normal_damping[block_lanes],
+      tangential_damping[block_lanes];
+  alignas(64) double moment[3][block_lanes], moment_size[block_lanes];
+  alignas(64) double normal_force[block_lanes], sliding_share[block_lanes], sliding_damping[block_lanes],
+      rolling_share[block_lanes];
 
-/// The contact law of the thesis: Hertz normal, Mindlin tangential, EPSD2 rolling. `history` advances by `dt` (0 leaves
-/// it as it is). No branches, so that the pair loop vectorises over it; call it with overlap > 0, or discard the
-/// result.
-template <class Real>
-[[gnu::always_inline]] inline BasicContactForces<Real> contact_law(const PairParameters& pair,
-                                                                   const BasicContactGeometry<Real>& contact, double dt,
-                                                                   BasicContactHistory<Real>& history) {
-  const BasicContactStiffness<Real> k = hertz_stiffness(pair, contact);
-  const Real f_n = hertz_force(k, contact);
-  const Vector3<Real> f_t = mindlin_force(pair, k, contact, f_n, dt, history.spring);
-  history.rolling = epsd2_moment(pair, k, contact, f_n, dt, history.rolling);
-  return {f_n * contact.normal + f_t, cross(contact.normal, f_t), history.rolling};
+  [[gnu::always_inline]] BasicContactStiffness<Quad> stiffness(int k) const {
+    return {load(normal + k), load(tangential + k), load(normal_damping + k), load(tangential_damping + k)};
+  }
+  [[gnu::always_inline]] void set_stiffness(int k, const BasicContactStiffness<Quad>& stiffness) {
+    store(stiffness.normal, normal + k);
+    store(stiffness.tangential, tangential + k);
+    store(stiffness.normal_damping, normal_damping + k);
+    store(stiffness.tangential_damping, tangential_damping + k);
+  }
+};
+
+/// The contact law of the thesis on every lane: Hertz normal, Mindlin tangential, EPSD2 rolling. Advances the histories
+/// of the block by `dt` s (0 leaves them as they are) and adds forces and torques to the sums of the first bodies, and
+/// of the second ones if those are particles (`b` is not null). Returns the difference that scatter collects.
+[[gnu::always_inline]] inline std::uint64_t evaluate_law(const PairParameters& pair_in, double dt,
+                                                         const LaneGeometry& lanes, const LaneBody& a,
+                                                         const LaneBody* b, ContactBlock& block, ForceSum* sums) {
+  const PairParameters pair = pair_in;  // a copy: its members cannot be what the loops write
+  LaneLaw law;
+  for (int k = 0; k < block_lanes; k += 4) {
+    const BasicContactGeometry<Quad> contact = lanes.get(k);
+    const QuadVec3 spring = trial_spring(contact, dt, load(block.spring, k));
+    store(contact_radius(contact), law.contact_radius + k);
+    store(spring, law.spring, k);
+    store(square_root(squared_norm(spring)), law.spring_length + k);
+  }
+  for (int k = 0; k < block_lanes; k += 4) {
+    const BasicContactGeometry<Quad> contact = lanes.get(k);
+    const BasicContactStiffness<Quad> stiffness = hertz_stiffness(pair, contact, load(law.contact_radius + k));
+    const QuadVec3 moment = trial_moment(stiffness, contact, dt, load(block.rolling, k));
+    law.set_stiffness(k, stiffness);
+    store(moment, law.moment, k);
+    store(square_root(squared_norm(moment)), law.moment_size + k);
+  }
+  for (int k = 0; k < block_lanes; k += 4) {
+    const BasicContactGeometry<Quad> contact = lanes.get(k);
+    const BasicContactStiffness<Quad> stiffness = law.stiffness(k);
+    const Quad f_n = hertz_force(stiffness, contact);
+    const BasicSlidingLimit<Quad> sliding = sliding_limit(pair, stiffness, f_n, load(law.spring_length + k));
+    store(f_n, law.normal_force + k);
+    store(sliding.share, law.sliding_share + k);
+    store(sliding.damping, law.sliding_damping + k);
+    store(rolling_limit(pair, contact, f_n, load(law.moment_size + k)), law.rolling_share + k);
+  }
+  QuadBits difference = {};
+  for (int k = 0; k < block_lanes; k += 4) {
+    const BasicContactGeometry<Quad> contact = lanes.get(k);
+    // Without overlap all stiffness is zero, and so is every force; only the histories have to be cut.
+    const QuadInt touching = contact.overlap > Quad{};
+    const QuadVec3 spring = load(law.sliding_share + k) * load(law.spring, k);
+    const QuadVec3 moment = where(touching, load(law.rolling_share + k) * load(law.moment, k));
+    store(where(touching, spring), block.spring, k);
+    store(moment, block.rolling, k);
+
+    const QuadVec3 friction = mindlin_force(law.stiffness(k), contact, spring, load(law.sliding_damping + k));
+    const QuadVec3 force = load(law.normal_force + k) * contact.normal + friction;
+    const QuadVec3 turn = cross(contact.normal, friction);
+    const QuadVec3 taken = load(a.arm + k) * turn + moment;
+    scatter(to_fixed_point(force, load(a.force_scale + k)), to_fixed_point_negated(taken, load(a.torque_scale + k)),
+            block.first + k, sums, difference);
+    if (b == nullptr) continue;
+    const QuadVec3 given = moment - load(b->arm + k) * turn;
+    scatter(to_fixed_point_negated(force, load(b->force_scale + k)), to_fixed_point(given, load(b->torque_scale + k)),
+            block.second + k, sums, difference);
+  }
+  return difference[0] | difference[1] | difference[2] | difference[3];
 }
 
 }  // namespace repose

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "contact/geometry.h"
 #include "scene/materials.h"
 
@@ -15,14 +17,20 @@ struct BasicContactStiffness {
 };
 using ContactStiffness = BasicContactStiffness<double>;
 
-/// Thesis eqs. 2.7 to 2.9 as corrected (docs/theory.md): k_n = 4/3 E_eff sqrt(R_eff delta), k_t = 8 G_eff sqrt(R_eff
-/// delta), c = -2 sqrt(5/6) beta sqrt(S m_eff) with S_n = 2 E_eff sqrt(R_eff delta) and S_t = k_t.
+/// sqrt(R_eff delta) in m: the radius of the circle in which the surfaces meet.
 template <class Real>
-[[gnu::always_inline]] inline BasicContactStiffness<Real> hertz_stiffness(const PairParameters& pair,
-                                                                          const BasicContactGeometry<Real>& contact) {
+[[gnu::always_inline]] inline Real contact_radius(const BasicContactGeometry<Real>& contact) {
+  return square_root(contact.radius_eff * contact.overlap);
+}
+
+/// Thesis eqs. 2.7 to 2.9 as corrected (docs/theory.md): k_n = 4/3 E_eff a, k_t = 8 G_eff a, c = -2 sqrt(5/6) beta
+/// sqrt(S m_eff) with S_n = 2 E_eff a and S_t = k_t, where a is the contact radius.
+template <class Real>
+[[gnu::always_inline]] inline BasicContactStiffness<Real> hertz_stiffness(
+    const PairParameters& pair, const BasicContactGeometry<Real>& contact,
+    const std::type_identity_t<Real>& contact_radius) {
   constexpr double four_thirds = 4.0 / 3.0;
   constexpr double minus_two_sqrt_five_sixths = -1.8257418583505538;
-  const Real contact_radius = square_root(contact.radius_eff * contact.overlap);
   const Real k_n = four_thirds * pair.youngs_modulus_eff * contact_radius;
   const Real k_t = 8.0 * pair.shear_modulus_eff * contact_radius;
   const Real s_n = 2.0 * pair.youngs_modulus_eff * contact_radius;

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "base/quad.h"
-#include "contact/contact_law.h"
 #include "contact/fixed_point.h"
+#include "contact/geometry.h"
 #include "neighbours/contact_block.h"
 #include "scene/particles.h"
 
-// What the loops over pair and wall contacts share. They take the lanes of a block four at a time, in two phases: where
-// and how the bodies meet, kept in columns; then the contact law and the sums. One phase after the other over a whole
-// block, so that the processor can overlap the roots and divisions of several quads. Everything is inlined, for the
-// vector level of the caller (base/vector_level.h).
+// What the loops over pair and wall contacts share. They take the lanes of a block four at a time, in passes over the
+// whole block that hand their results on in columns. A pass ends where the next operation would wait for a root, a
+// division or a gather: the processor, which looks some hundred instructions ahead, then finds those of several quads
+// to overlap. Everything is inlined, for the vector level of the caller (base/vector_level.h).
 
 namespace repose {
 
@@ -44,8 +44,7 @@ struct QuadParticle {
 /// A body's lever arm in each lane, in m, and the scales of its sums.
 struct LaneBody {
   alignas(64) double arm[block_lanes], force_scale[block_lanes], torque_scale[block_lanes];
-  [[gnu::always_inline]] void set(int k, const Quad& lever_arm, const QuadParticle& particle) {
-    store(lever_arm, arm + k);
+  [[gnu::always_inline]] void set_scales(int k, const QuadParticle& particle) {
     store(particle.force_scale, force_scale + k);
     store(particle.torque_scale, torque_scale + k);
   }
@@ -63,15 +62,6 @@ struct LaneGeometry {
             .normal_velocity = load(normal_velocity + k),
             .tangential_velocity = load(tangential_velocity, k),
             .rolling_velocity = load(rolling_velocity, k)};
-  }
-  [[gnu::always_inline]] void set(int k, const BasicContactGeometry<Quad>& contact) {
-    store(contact.normal, normal, k);
-    store(contact.tangential_velocity, tangential_velocity, k);
-    store(contact.rolling_velocity, rolling_velocity, k);
-    store(contact.overlap, overlap + k);
-    store(contact.radius_eff, radius_eff + k);
-    store(contact.mass_eff, mass_eff + k);
-    store(contact.normal_velocity, normal_velocity + k);
   }
 };
 
@@ -115,35 +105,6 @@ struct LaneGeometry {
 /// `v` where `condition` holds, else zero.
 [[gnu::always_inline]] inline QuadVec3 where(const QuadInt& condition, const QuadVec3& v) {
   return {select(condition, v.x, Quad{}), select(condition, v.y, Quad{}), select(condition, v.z, Quad{})};
-}
-
-/// Evaluates the contact law on every lane, advances the histories of the block by `dt` s and adds forces and torques
-/// to the sums of the first bodies, and of the second ones if those are particles (`b` is not null). Returns the
-/// difference that scatter collects.
-[[gnu::always_inline]] inline std::uint64_t evaluate_law(const PairParameters& pair_in, double dt,
-                                                         const LaneGeometry& lanes, const LaneBody& a,
-                                                         const LaneBody* b, ContactBlock& block, ForceSum* sums) {
-  const PairParameters pair = pair_in;  // a copy: its members cannot be what the loop writes
-  QuadBits difference = {};
-  for (int k = 0; k < block_lanes; k += 4) {
-    const BasicContactGeometry<Quad> contact = lanes.get(k);
-    BasicContactHistory<Quad> history = {load(block.spring, k), load(block.rolling, k)};
-    const BasicContactForces<Quad> forces = contact_law(pair, contact, dt, history);
-
-    // Without overlap all stiffness is zero, and so is every force; only the histories have to be cut.
-    const QuadInt touching = contact.overlap > Quad{};
-    const QuadVec3 moment = where(touching, forces.rolling_moment);
-    store(where(touching, history.spring), block.spring, k);
-    store(moment, block.rolling, k);
-    const QuadVec3 taken = load(a.arm + k) * forces.friction_arm + moment;
-    scatter(to_fixed_point(forces.force, load(a.force_scale + k)),
-            to_fixed_point_negated(taken, load(a.torque_scale + k)), block.first + k, sums, difference);
-    if (b == nullptr) continue;
-    const QuadVec3 given = moment - load(b->arm + k) * forces.friction_arm;
-    scatter(to_fixed_point_negated(forces.force, load(b->force_scale + k)),
-            to_fixed_point(given, load(b->torque_scale + k)), block.second + k, sums, difference);
-  }
-  return difference[0] | difference[1] | difference[2] | difference[3];
 }
 
 }  // namespace repose

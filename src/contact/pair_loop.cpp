@@ -1,6 +1,6 @@
 #include "contact/pair_loop.h"
 
-#include "contact/lanes.h"
+#include "contact/contact_law.h"
 #include "scene/sphere.h"
 
 namespace repose {
@@ -37,56 +37,91 @@ class Prefetch {
   std::span<const std::int32_t> particles_;
 };
 
-/// Gathers the particles of a block and evaluates where and how they meet. Returns the number of contacts deeper than
-/// `max_overlap` times the smaller radius.
-[[gnu::always_inline]] inline std::int64_t evaluate_geometry(const Prefetch& prefetch, const ParticleRecord* records,
-                                                             const ContactBlock& block, const PairParameters& pair,
-                                                             double max_overlap, LaneGeometry& contact, LaneBody& first,
+/// The two particles of each pair, by column.
+struct LanePairs {
+  alignas(64) double apart[3][block_lanes], velocity[3][block_lanes];  // of the first relative to the second
+  alignas(64) double first_spin[3][block_lanes], second_spin[3][block_lanes];
+  alignas(64) double first_radius[block_lanes], second_radius[block_lanes];
+  alignas(64) double distance[block_lanes], one_over_distance[block_lanes];
+};
+
+[[gnu::always_inline]] inline void gather_pairs(const Prefetch& prefetch, const ParticleRecord* records,
+                                                const ContactBlock& block, LanePairs& pairs, LaneBody& first,
+                                                LaneBody& second) {
+  for (int k = 0; k < block_lanes; k += 4) {
+    prefetch.part(static_cast<std::size_t>(k / 4));
+    const QuadParticle a = gather(records, block.first + k);
+    const QuadParticle b = gather(records, block.second + k);
+    const QuadVec3 apart = a.position - b.position;
+    store(apart, pairs.apart, k);
+    store(a.velocity - b.velocity, pairs.velocity, k);
+    store(a.spin, pairs.first_spin, k);
+    store(b.spin, pairs.second_spin, k);
+    store(a.radius, pairs.first_radius + k);
+    store(b.radius, pairs.second_radius + k);
+    first.set_scales(k, a);
+    second.set_scales(k, b);
+    store(square_root(squared_norm(apart)), pairs.distance + k);
+  }
+}
+
+/// Overlaps, effective radii and masses, lever arms. Returns the number of contacts deeper than `max_overlap` times the
+/// smaller radius.
+[[gnu::always_inline]] inline std::int64_t evaluate_overlaps(const PairParameters& pair, double max_overlap,
+                                                             LanePairs& pairs, LaneGeometry& contact, LaneBody& first,
                                                              LaneBody& second) {
   const double density_first = pair.density_first;
   const double density_second = pair.density_second;
   const Quad none = {};
   QuadInt deep = {};
   for (int k = 0; k < block_lanes; k += 4) {
-    prefetch.part(static_cast<std::size_t>(k / 4));
-    const QuadParticle a = gather(records, block.first + k);
-    const QuadParticle b = gather(records, block.second + k);
-    const QuadVec3 d = a.position - b.position;
-    const Quad distance = square_root(dot(d, d));
-    const Quad gap = a.radius + b.radius - distance;
+    const Quad a = load(pairs.first_radius + k);
+    const Quad b = load(pairs.second_radius + k);
+    const Quad distance = load(pairs.distance + k);
+    const Quad gap = a + b - distance;
     const Quad overlap = gap > none ? gap : none;
-    const QuadVec3 n = (1.0 / distance) * d;
-    const Quad arm_a = a.radius - 0.5 * overlap;
-    const Quad arm_b = b.radius - 0.5 * overlap;
-    const Quad mass_a = sphere_mass(a.radius, density_first);
-    const Quad mass_b = sphere_mass(b.radius, density_second);
-    const QuadVec3 v = a.velocity - b.velocity;
-    const Quad v_n = dot(v, n);
-
-    contact.set(k, {.normal = n,
-                    .overlap = overlap,
-                    .radius_eff = a.radius * b.radius / (a.radius + b.radius),
-                    .mass_eff = mass_a * mass_b / (mass_a + mass_b),
-                    .normal_velocity = v_n,
-                    .tangential_velocity = v - v_n * n - cross(arm_a * a.spin + arm_b * b.spin, n),
-                    .rolling_velocity = without_normal_part(a.spin - b.spin, n)});
-    first.set(k, arm_a, a);
-    second.set(k, arm_b, b);
-    const Quad smaller = a.radius < b.radius ? a.radius : b.radius;
+    const Quad mass_a = sphere_mass(a, density_first);
+    const Quad mass_b = sphere_mass(b, density_second);
+    store(1.0 / distance, pairs.one_over_distance + k);
+    store(overlap, contact.overlap + k);
+    store(a * b / (a + b), contact.radius_eff + k);
+    store(mass_a * mass_b / (mass_a + mass_b), contact.mass_eff + k);
+    store(a - 0.5 * overlap, first.arm + k);
+    store(b - 0.5 * overlap, second.arm + k);
+    const Quad smaller = a < b ? a : b;
     deep += overlap > max_overlap * smaller;
   }
   return count(deep);
 }
 
+[[gnu::always_inline]] inline void evaluate_velocities(const LanePairs& pairs, const LaneBody& first,
+                                                       const LaneBody& second, LaneGeometry& contact) {
+  for (int k = 0; k < block_lanes; k += 4) {
+    const QuadVec3 n = load(pairs.one_over_distance + k) * load(pairs.apart, k);
+    const QuadVec3 v = load(pairs.velocity, k);
+    const QuadVec3 spin_a = load(pairs.first_spin, k);
+    const QuadVec3 spin_b = load(pairs.second_spin, k);
+    const Quad v_n = dot(v, n);
+    const QuadVec3 turning = load(first.arm + k) * spin_a + load(second.arm + k) * spin_b;
+    store(n, contact.normal, k);
+    store(v_n, contact.normal_velocity + k);
+    store(v - v_n * n - cross(turning, n), contact.tangential_velocity, k);
+    store(without_normal_part(spin_a - spin_b, n), contact.rolling_velocity, k);
+  }
+}
+
 [[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<ContactBlock> blocks, const FetchList& fetch,
                                                           const PairParameters& pair, double dt, double max_overlap,
                                                           const ParticleRecord* records, ForceSum* sums) {
+  LanePairs pairs;
   LaneGeometry contact;
   LaneBody first, second;
   ContactAlarms alarms;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const Prefetch prefetch(blocks, fetch, k + 2, records, sums);
-    alarms.too_deep += evaluate_geometry(prefetch, records, blocks[k], pair, max_overlap, contact, first, second);
+    gather_pairs(prefetch, records, blocks[k], pairs, first, second);
+    alarms.too_deep += evaluate_overlaps(pair, max_overlap, pairs, contact, first, second);
+    evaluate_velocities(pairs, first, second, contact);
     const std::uint64_t difference = evaluate_law(pair, dt, contact, first, &second, blocks[k], sums);
     alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
   }

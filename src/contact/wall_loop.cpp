@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/lanes.h"
+#include "contact/contact_law.h"
 #include "scene/sphere.h"
 
 namespace repose {
@@ -41,15 +41,16 @@ struct LaneWalls {
     const Quad overlap = p.radius - distance;
     const Quad arm = p.radius - 0.5 * overlap;
     const Quad v_n = dot(p.velocity, n);
+    store(n, contact.normal, k);
+    store(overlap, contact.overlap + k);
+    store(p.radius, contact.radius_eff + k);
+    store(sphere_mass(p.radius, density), contact.mass_eff + k);
+    store(v_n, contact.normal_velocity + k);
+    store(p.velocity - v_n * n - arm * cross(p.spin, n), contact.tangential_velocity, k);
     // The thesis's program scales the rotation at a wall by the lever arm over the distance.
-    contact.set(k, {.normal = n,
-                    .overlap = overlap,
-                    .radius_eff = p.radius,
-                    .mass_eff = sphere_mass(p.radius, density),
-                    .normal_velocity = v_n,
-                    .tangential_velocity = p.velocity - v_n * n - arm * cross(p.spin, n),
-                    .rolling_velocity = (arm / distance) * without_normal_part(p.spin, n)});
-    body.set(k, arm, p);
+    store((arm / distance) * without_normal_part(p.spin, n), contact.rolling_velocity, k);
+    store(arm, body.arm + k);
+    body.set_scales(k, p);
     deep += overlap > max_overlap * p.radius;
   }
   return count(deep);

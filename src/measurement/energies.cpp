@@ -17,7 +17,7 @@ double spring_energy(const PairParameters& pair, double overlap, double radius_e
   ContactGeometry contact = {};
   contact.overlap = overlap;
   contact.radius_eff = radius_eff;
-  const ContactStiffness k = hertz_stiffness(pair, contact);
+  const ContactStiffness k = hertz_stiffness(pair, contact, contact_radius(contact));
   const double k_r = k.tangential * radius_eff * radius_eff;
   return 0.4 * k.normal * overlap * overlap + 0.5 * k.tangential * squared_norm(history.spring) +
          0.5 * squared_norm(history.rolling) / k_r;

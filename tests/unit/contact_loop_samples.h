@@ -4,11 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/contact_law.h"
 #include "contact/pair_loop.h"
 #include "integration/velocity_verlet.h"
 #include "neighbours/pair_lists.h"
 #include "scene/sphere.h"
+#include "support/contact_law.h"
 #include "support/draw.h"
 #include "support/fixed_point_sum.h"
 

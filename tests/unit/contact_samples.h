@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/contact_law.h"
+#include "support/contact_law.h"
 #include "support/draw.h"
 
 namespace repose::test {

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/contact_law.h"
 #include "contact/wall_contacts.h"
 #include "domain/exits.h"
 #include "integration/velocity_verlet.h"
 #include "scene/sphere.h"
+#include "support/contact_law.h"
 #include "support/scenes.h"
 
 namespace repose::test {

@@ -43,7 +43,7 @@ std::string describe_alarm(const Particles& particles, const PairLists& pairs, c
       }
     }
   }
-  for (const WallContact& c : wall_contacts.contacts()) {
+  for (const WallContact& c : wall_contacts.contacts(walls, particles)) {
     const auto i = static_cast<std::size_t>(c.particle);
     const double share = c.overlap / particles.record[i].radius;
     if (share > max_overlap) {

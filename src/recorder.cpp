@@ -164,7 +164,7 @@ void Recorder::write_series_row(const Simulation& simulation, const std::string&
   const Energies e = measure_energies(comm, simulation.deck().gravity, simulation.materials(), simulation.particles(),
                                       simulation.pairs(), simulation.walls(), simulation.wall_contacts());
   const ContactCount contacts =
-      count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
+      count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.walls(), simulation.wall_contacts());
   const std::int64_t particles = inside(simulation);
   const double discharged = simulation.deck().discharge.enabled ? discharged_mass_of(simulation) : 0.0;
   const auto& phases = simulation.deck().phases;
@@ -220,7 +220,7 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
   state.phase = phase.deck().name;
   state.particles = inside_;
   const ContactCount contacts =
-      count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
+      count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.walls(), simulation.wall_contacts());
   state.contacts = contacts.pairs + contacts.walls;
   state.kinetic_energy_j = mean_kinetic_energy(comm, simulation.materials(), simulation.particles());
   const double rate = static_cast<double>(simulation.steps() - last_progress_step_) / elapsed;

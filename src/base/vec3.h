@@ -42,10 +42,14 @@ REPOSE_VEC3 Real squared_norm(const Vector3<Real>& a) { return dot(a, a); }
 
 #undef REPOSE_VEC3
 
-/// A number as a Real: the same in every lane.
+/// A number as a Real, the same in every lane (exactly: minus zero stays minus zero).
 template <class Real>
 [[gnu::always_inline]] constexpr Real broadcast(double x) {
-  return Real{} + x;
+  return x - Real{};
+}
+template <class Real>
+[[gnu::always_inline]] constexpr Vector3<Real> broadcast(const Vec3& v) {
+  return {broadcast<Real>(v.x), broadcast<Real>(v.y), broadcast<Real>(v.z)};
 }
 
 // What contact laws need beyond arithmetic, by the same names for a double and for a Quad (quad.h).

@@ -6,14 +6,40 @@ namespace repose {
 namespace {
 
 const WallContact* find(std::span<const WallContact> contacts, int wall, int feature) {
-  const auto found = std::find_if(contacts.begin(), contacts.end(),
-                                  [&](const WallContact& c) { return c.wall == wall && c.feature == feature; });
+  const auto found = std::find_if(contacts.begin(), contacts.end(), [&](const WallContact& c) {
+    return c.wall == wall && c.feature == feature && !is_blank(c.history);
+  });
   return found == contacts.end() ? nullptr : &*found;
 }
 
 bool is_touched(const TouchBuffer& touches, int wall, int feature) {
   return std::any_of(touches.touches().begin(), touches.touches().end(),
                      [&](const WallTouch& t) { return t.wall == wall && t.feature == feature && t.superseded_by < 0; });
+}
+
+/// Whether a particle that moves by less than `skin` can touch one face and nothing else, and remembers of no other.
+bool is_at_one_face(std::span<const Wall> walls, const TouchBuffer& touches, std::span<const WallMemory> memory,
+                    const Vec3& position, double skin) {
+  if (touches.size() != 1 || !touches[0].on_face || memory.size() > 1) return false;
+  const WallTouch& t = touches[0];
+  if (!memory.empty() && (memory[0].wall != t.wall || memory[0].feature != t.feature)) return false;
+  return margin(walls[static_cast<std::size_t>(t.wall)], t.feature, position) > 1.001 * skin;
+}
+
+/// As if no particle had ever touched it.
+void forget(FaceGroup& group) {
+  for (std::size_t lane = 0; lane < group.lanes; ++lane) {
+    set_history(group.blocks[lane / block_lanes], lane % block_lanes, {});
+  }
+}
+
+/// Calls visit(particle, history) for the used lanes of a group.
+template <class Visit>
+void for_each_lane(const FaceGroup& group, Visit&& visit) {
+  for (std::size_t lane = 0; lane < group.lanes; ++lane) {
+    const ContactBlock& block = group.blocks[lane / block_lanes];
+    visit(block.first[lane % block_lanes], history(block, lane % block_lanes));
+  }
 }
 
 }  // namespace
@@ -37,25 +63,78 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
       contacts_.push_back({static_cast<std::int32_t>(i), m.wall, m.feature, {}, 0.0, 0.0, m.history});
     }
   }
+  faces_.clear();
   near_ = candidates_;
+  near_walls_ = candidate_walls_;
 }
 
 void WallContacts::select_near(const Particles& particles, std::span<const Wall> walls, const SkinRule& rule) {
+  const Csr<WallMemory> memory = this->memory(particles.owned);
+  for (FaceGroup& group : faces_) {
+    group.blocks.clear();
+    group.lanes = 0;
+  }
   near_.clear();
+  near_walls_.clear();
+  contacts_.clear();
+  TouchBuffer touches;
   for (const Candidate& candidate : candidates_) {
-    const ParticleRecord& p = particles.record[static_cast<std::size_t>(candidate.particle)];
+    const auto i = static_cast<std::size_t>(candidate.particle);
+    const ParticleRecord& p = particles.record[i];
     if (is_parked(p)) continue;
-    const double reach = reach_of(p, rule);
-    const auto first = candidate_walls_.begin() + candidate.first_wall;
-    const bool near = std::any_of(first, first + candidate.walls, [&](std::int32_t w) {
-      return distance(walls[static_cast<std::size_t>(w)], p.position) < reach;
-    });
-    if (near) near_.push_back(candidate);
+    const double skin = skin_of(p, rule);
+    const auto first = static_cast<std::int32_t>(near_walls_.size());
+    touches.clear();
+    for (std::int32_t k = 0; k < candidate.walls; ++k) {
+      const std::int32_t w = candidate_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
+      const Wall& wall = walls[static_cast<std::size_t>(w)];
+      const bool near = touches.overflowed() ? distance(wall, p.position) < p.radius + skin
+                                             : find_touches(wall, w, p.position, p.radius + skin, touches) > 0;
+      if (near) near_walls_.push_back(w);
+    }
+    const auto count = static_cast<std::int32_t>(near_walls_.size()) - first;
+    if (count == 0) continue;
+    const std::span<const WallMemory> old = memory.row(i);
+    if (is_at_one_face(walls, touches, old, p.position, skin)) {
+      near_walls_.resize(static_cast<std::size_t>(first));
+      const Wall& wall = walls[static_cast<std::size_t>(touches[0].wall)];
+      add_lane(group_for(particles, i, wall, touches[0]), candidate.particle,
+               old.empty() ? ContactHistory{} : old.front().history);
+      continue;
+    }
+    near_.push_back({candidate.particle, first, count});
+    for (const WallMemory& m : old) {
+      contacts_.push_back({candidate.particle, m.wall, m.feature, {}, 0.0, 0.0, m.history});
+    }
   }
 }
 
+FaceGroup& WallContacts::group_for(const Particles& particles, std::size_t particle, const Wall& wall,
+                                   const WallTouch& touch) {
+  const std::int32_t material = particles.material[particle];
+  for (FaceGroup& g : faces_) {
+    if (g.material == material && g.wall == touch.wall && g.feature == touch.feature) return g;
+  }
+  return faces_.emplace_back(FaceGroup{.material = material,
+                                       .wall = touch.wall,
+                                       .feature = touch.feature,
+                                       .face = face_of(wall, touch.feature),
+                                       .blocks = {}});
+}
+
+void WallContacts::add_lane(FaceGroup& group, std::int32_t particle, const ContactHistory& history) {
+  const std::size_t lane = group.lanes++ % block_lanes;
+  if (lane == 0) {
+    ContactBlock& block = group.blocks.emplace_back();
+    std::fill(std::begin(block.first), std::end(block.first), particle);
+  }
+  group.blocks.back().first[lane] = particle;
+  set_history(group.blocks.back(), lane, history);
+}
+
 /// The contact whose history a touch takes over: that of the same feature before, or of a touch that this one now
-/// stands for, or of a neighbouring feature of the wall that is touched no more. Null: it is new.
+/// stands for, or of a neighbouring feature of the wall that is touched no more. Null: it is new. A contact without
+/// history counts for nothing, as it may have been dropped when lists were rebuilt.
 const WallContact* WallContacts::ancestor(std::span<const WallContact> before, std::span<const Wall> walls,
                                           const TouchBuffer& touches, int touch) const {
   const WallTouch& t = touches[touch];
@@ -65,7 +144,7 @@ const WallContact* WallContacts::ancestor(std::span<const WallContact> before, s
     if (const WallContact* handed = find(before, other.wall, other.feature)) return handed;
   }
   for (const WallContact& c : before) {
-    if (c.wall != t.wall || is_touched(touches, c.wall, c.feature)) continue;
+    if (c.wall != t.wall || is_blank(c.history) || is_touched(touches, c.wall, c.feature)) continue;
     if (adjacent_features(walls[static_cast<std::size_t>(t.wall)], c.feature, t.feature)) return &c;
   }
   return nullptr;
@@ -90,7 +169,7 @@ void WallContacts::find_contacts(std::span<const Wall> walls, const Particles& p
 
     touches.clear();
     for (std::int32_t k = 0; k < candidate.walls; ++k) {
-      const std::int32_t w = candidate_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
+      const std::int32_t w = near_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
       const Wall& wall = walls[static_cast<std::size_t>(w)];
       if (wall.present) find_touches(wall, w, p.position, p.radius, touches);
     }
@@ -125,14 +204,64 @@ WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls
     alarms.too_deep += here.too_deep;
     alarms.out_of_range += here.out_of_range;
   }
+  for (FaceGroup& group : faces_) {
+    const Wall& wall = walls[static_cast<std::size_t>(group.wall)];
+    if (!wall.present) {
+      forget(group);
+      continue;
+    }
+    const PairParameters& pair =
+        materials.pair(static_cast<std::size_t>(group.material), static_cast<std::size_t>(wall.material));
+    const ContactAlarms here =
+        evaluate_faces(level, group, pair, dt, max_overlap, particles.record.data(), particles.sum.data());
+    alarms.too_deep += here.too_deep;
+    alarms.out_of_range += here.out_of_range;
+  }
   return alarms;
+}
+
+std::vector<WallContact> WallContacts::contacts(std::span<const Wall> walls, const Particles& particles) const {
+  std::vector<WallContact> all = contacts_;
+  TouchBuffer touches;
+  for (const FaceGroup& group : faces_) {
+    const Wall& wall = walls[static_cast<std::size_t>(group.wall)];
+    if (!wall.present) continue;
+    for_each_lane(group, [&](std::int32_t particle, const ContactHistory& history) {
+      const ParticleRecord& p = particles.record[static_cast<std::size_t>(particle)];
+      if (is_parked(p)) return;
+      touches.clear();
+      if (find_touches(wall, group.wall, p.position, p.radius, touches) == 0) return;
+      const WallTouch& t = touches[0];
+      all.push_back({particle, t.wall, t.feature, t.normal, t.distance, p.radius - t.distance, history});
+    });
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const WallContact& a, const WallContact& b) { return a.particle < b.particle; });
+  return all;
+}
+
+std::size_t WallContacts::in_lanes() const {
+  std::size_t lanes = 0;
+  for (const FaceGroup& group : faces_) lanes += group.lanes;
+  return lanes;
+}
+
+std::size_t WallContacts::bytes_of_faces() const {
+  std::size_t bytes = bytes_of(faces_);
+  for (const FaceGroup& group : faces_) bytes += bytes_of(group.blocks);
+  return bytes;
 }
 
 Csr<WallMemory> WallContacts::memory(std::size_t owned) const {
   std::vector<std::pair<std::size_t, WallMemory>> entries;
   entries.reserve(contacts_.size());
-  for (const WallContact& c : contacts_) {
-    entries.push_back({static_cast<std::size_t>(c.particle), {c.wall, c.feature, c.history}});
+  const auto add = [&](std::int32_t particle, std::int32_t wall, std::int32_t feature, const ContactHistory& h) {
+    if (!is_blank(h)) entries.push_back({static_cast<std::size_t>(particle), {wall, feature, h}});
+  };
+  for (const WallContact& c : contacts_) add(c.particle, c.wall, c.feature, c.history);
+  for (const FaceGroup& group : faces_) {
+    for_each_lane(group,
+                  [&](std::int32_t particle, const ContactHistory& h) { add(particle, group.wall, group.feature, h); });
   }
   return Csr<WallMemory>::group(owned, entries);
 }

@@ -27,7 +27,8 @@ class WallContacts {
   void build(const Particles& particles, std::span<const Wall> walls, std::span<const double> reach,
              const Csr<WallMemory>& memory);
 
-  /// Narrows the list to what is within the reaches of `rule`, until select_near is called again.
+  /// Narrows the list to what is within the reaches of `rule`, until select_near is called again: particles that can
+  /// touch one face and nothing else go into the lanes of that face, the others are searched at each step.
   void select_near(const Particles& particles, std::span<const Wall> walls, const SkinRule& rule);
 
   /// Evaluates the contact law with every present wall and adds force and torque to the particles' sums. Histories
@@ -36,29 +37,36 @@ class WallContacts {
   WallAlarms evaluate(VectorLevel level, std::span<const Wall> walls, const MaterialTable& materials, double dt,
                       double max_overlap, Particles& particles);
 
-  std::span<const WallContact> contacts() const { return contacts_; }
+  /// All that touch, in the order of the particles.
+  std::vector<WallContact> contacts(std::span<const Wall> walls, const Particles& particles) const;
+  std::size_t in_lanes() const;  ///< particles in the lanes of faces
   std::size_t bytes() const {
-    return bytes_of(candidates_) + bytes_of(near_) + bytes_of(candidate_walls_) + bytes_of(contacts_) +
-           bytes_of(before_);
+    return bytes_of(candidates_) + bytes_of(candidate_walls_) + bytes_of(near_) + bytes_of(near_walls_) +
+           bytes_of(contacts_) + bytes_of(before_) + bytes_of_faces();
   }
-  /// The histories of all contacts, by owned particle.
+  /// The histories of all contacts that have one, by owned particle.
   Csr<WallMemory> memory(std::size_t owned) const;
 
  private:
   struct Candidate {
     std::int32_t particle;
-    std::int32_t first_wall;  ///< into candidate_walls_
+    std::int32_t first_wall;  ///< into candidate_walls_ or near_walls_
     std::int32_t walls;
   };
   /// Replaces contacts_ by the touches of this step, with the histories they inherit.
   void find_contacts(std::span<const Wall> walls, const Particles& particles, WallAlarms& alarms);
+  FaceGroup& group_for(const Particles& particles, std::size_t particle, const Wall& wall, const WallTouch& touch);
+  void add_lane(FaceGroup& group, std::int32_t particle, const ContactHistory& history);
+  std::size_t bytes_of_faces() const;
   const WallContact* ancestor(std::span<const WallContact> before, std::span<const Wall> walls,
                               const TouchBuffer& touches, int touch) const;
 
   std::vector<Candidate> candidates_;
-  std::vector<Candidate> near_;  ///< those of them that select_near chose
   std::vector<std::int32_t> candidate_walls_;
-  std::vector<WallContact> contacts_;                    ///< in the order of the candidates
+  std::vector<FaceGroup> faces_;  ///< what select_near chose of them
+  std::vector<Candidate> near_;   ///< the rest of it
+  std::vector<std::int32_t> near_walls_;
+  std::vector<WallContact> contacts_;                    ///< those of near_, in its order
   std::vector<WallContact> before_;                      ///< those of the step before, while evaluate runs
   std::vector<std::vector<std::int32_t>> of_materials_;  ///< contacts_ by material of the particle and of the wall
 };

@@ -29,16 +29,45 @@ struct LaneWalls {
   }
 }
 
+/// Asks for the records and sums of a block's particles.
+[[gnu::always_inline]] inline void fetch_ahead(const ContactBlock& block, const ParticleRecord* records,
+                                               const ForceSum* sums) {
+  for (const std::int32_t particle : block.first) {
+    const auto* record = reinterpret_cast<const char*>(records + particle);
+    __builtin_prefetch(record);
+    __builtin_prefetch(record + 64);
+    __builtin_prefetch(sums + particle, 1);
+  }
+}
+
+/// Lanes from `used` on, and parked particles, get a distance at which they do not touch.
+template <class FaceShape>
+[[gnu::always_inline]] inline void touch_face(const FaceShape& face_in, std::size_t used, const ParticleRecord* records,
+                                              const ContactBlock& block, LaneWalls& walls) {
+  const FaceShape face = face_in;
+  const auto lanes = static_cast<std::int64_t>(used);
+  for (int k = 0; k < block_lanes; k += 4) {
+    const QuadParticle p = gather(records, block.first + k);
+    const BasicFaceTouch<Quad> at = touch(face, p.position);
+    const QuadInt lane = QuadInt{0, 1, 2, 3} + k;
+    const QuadInt here = (lane < lanes) & (p.position.x < broadcast<Quad>(parking_distance));
+    store(at.normal, walls.normal, k);
+    store(select(here, at.distance, p.radius), walls.distance + k);
+  }
+}
+
 /// Returns the number of contacts deeper than `max_overlap` times the radius.
 [[gnu::always_inline]] inline std::int64_t evaluate_geometry(const ParticleRecord* records, const ContactBlock& block,
                                                              const LaneWalls& walls, double density, double max_overlap,
                                                              LaneGeometry& contact, LaneBody& body) {
+  const Quad none = {};
   QuadInt deep = {};
   for (int k = 0; k < block_lanes; k += 4) {
     const QuadParticle p = gather(records, block.first + k);
     const Quad distance = load(walls.distance + k);
     const QuadVec3 n = load(walls.normal, k);
-    const Quad overlap = p.radius - distance;
+    const Quad gap = p.radius - distance;
+    const Quad overlap = gap > none ? gap : none;
     const Quad arm = p.radius - 0.5 * overlap;
     const Quad v_n = dot(p.velocity, n);
     store(n, contact.normal, k);
@@ -78,6 +107,25 @@ struct LaneWalls {
   return alarms;
 }
 
+template <class FaceShape>
+[[gnu::always_inline]] inline ContactAlarms evaluate_face(const FaceShape& face, FaceGroup& group,
+                                                          const PairParameters& pair, double dt, double max_overlap,
+                                                          const ParticleRecord* records, ForceSum* sums) {
+  LaneWalls walls;
+  LaneGeometry contact;
+  LaneBody body;
+  ContactAlarms alarms;
+  for (std::size_t n = 0; n < group.blocks.size(); ++n) {
+    ContactBlock& block = group.blocks[n];
+    if (n + 1 < group.blocks.size()) fetch_ahead(group.blocks[n + 1], records, sums);
+    touch_face(face, group.lanes - n * block_lanes, records, block, walls);
+    alarms.too_deep += evaluate_geometry(records, block, walls, pair.density_first, max_overlap, contact, body);
+    const std::uint64_t difference = evaluate_law(pair, dt, contact, body, nullptr, block, sums);
+    alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
+  }
+  return alarms;
+}
+
 }  // namespace
 
 ContactAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts, std::span<const std::int32_t> chosen,
@@ -85,6 +133,16 @@ ContactAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts,
                              ForceSum* sums) {
   return at_level(
       level, [&]() REPOSE_INLINE { return evaluate_body(contacts, chosen, pair, dt, max_overlap, records, sums); });
+}
+
+ContactAlarms evaluate_faces(VectorLevel level, FaceGroup& group, const PairParameters& pair, double dt,
+                             double max_overlap, const ParticleRecord* records, ForceSum* sums) {
+  return std::visit(
+      [&](const auto& face) {
+        return at_level(
+            level, [&]() REPOSE_INLINE { return evaluate_face(face, group, pair, dt, max_overlap, records, sums); });
+      },
+      group.face);
 }
 
 }  // namespace repose

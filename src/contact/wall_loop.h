@@ -3,11 +3,14 @@
 #include <cstdint>
 #include <span>
 
+#include "base/big_vector.h"
 #include "base/vector_level.h"
 #include "contact/contact_alarms.h"
+#include "neighbours/contact_block.h"
 #include "scene/contact_memory.h"
 #include "scene/materials.h"
 #include "scene/particles.h"
+#include "scene/wall_face.h"
 
 namespace repose {
 
@@ -28,5 +31,20 @@ struct WallContact {
 ContactAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts, std::span<const std::int32_t> chosen,
                              const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
                              ForceSum* sums);
+
+/// Particles of one material near one face of a wall, and no other feature, in blocks whose second particles mean
+/// nothing. The rules for lanes are those of neighbour pairs: what does not touch holds zero history.
+struct FaceGroup {
+  std::int32_t material;
+  std::int32_t wall;
+  std::int32_t feature;
+  Face face;
+  BigVector<ContactBlock> blocks;
+  std::size_t lanes = 0;  ///< used ones; those behind them in the last block repeat its first particle
+};
+
+/// The same for all lanes of a group.
+ContactAlarms evaluate_faces(VectorLevel level, FaceGroup& group, const PairParameters& pair, double dt,
+                             double max_overlap, const ParticleRecord* records, ForceSum* sums);
 
 }  // namespace repose

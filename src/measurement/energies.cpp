@@ -62,7 +62,7 @@ Energies measure_energies(const Communicator& comm, const Vec3& gravity, const M
             materials.pair(static_cast<std::size_t>(g.material_first), static_cast<std::size_t>(g.material_second));
         elastic.push_back(spring_energy(pair, overlap, ri * rj / (ri + rj), lane_history(g, lane)));
       });
-  for (const WallContact& c : wall_contacts.contacts()) {
+  for (const WallContact& c : wall_contacts.contacts(walls, particles)) {
     const auto i = static_cast<std::size_t>(c.particle);
     const auto wall_material = static_cast<std::size_t>(walls[static_cast<std::size_t>(c.wall)].material);
     if (is_parked(particles.record[i]) || c.overlap <= 0.0) continue;
@@ -86,11 +86,11 @@ double mean_kinetic_energy(const Communicator& comm, const MaterialTable& materi
 }
 
 ContactCount count_contacts(const Communicator& comm, const Particles& particles, const PairLists& pairs,
-                            const WallContacts& wall_contacts) {
+                            std::span<const Wall> walls, const WallContacts& wall_contacts) {
   std::int64_t here = 0;
   for_each_touching_pair(particles, pairs,
                          [&](const PairGroup&, std::size_t, std::size_t, double, std::size_t) { ++here; });
-  return {comm.sum(here), comm.sum(static_cast<std::int64_t>(wall_contacts.contacts().size()))};
+  return {comm.sum(here), comm.sum(static_cast<std::int64_t>(wall_contacts.contacts(walls, particles).size()))};
 }
 
 }  // namespace repose

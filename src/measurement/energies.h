@@ -36,6 +36,6 @@ struct ContactCount {
   std::int64_t walls = 0;
 };
 ContactCount count_contacts(const Communicator& comm, const Particles& particles, const PairLists& pairs,
-                            const WallContacts& wall_contacts);
+                            std::span<const Wall> walls, const WallContacts& wall_contacts);
 
 }  // namespace repose

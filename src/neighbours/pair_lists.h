@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -73,12 +72,6 @@ void add_lane_dummies(Particles& particles);
 /// History of lane `lane` in a group's blocks.
 inline ContactHistory lane_history(const PairGroup& group, std::size_t lane) {
   return history(group.blocks[lane / block_lanes], lane % block_lanes);
-}
-
-/// Whether nothing is remembered: all bits are zero (a history of negative zeros is one, and is kept as it is).
-inline bool is_blank(const ContactHistory& h) {
-  constexpr ContactHistory blank = {};
-  return std::memcmp(&h, &blank, sizeof(ContactHistory)) == 0;
 }
 
 }  // namespace repose

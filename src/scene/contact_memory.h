@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 #include "base/csr.h"
 #include "base/vec3.h"
@@ -14,6 +15,12 @@ struct BasicContactHistory {
   Vector3<Real> rolling;  ///< N m, rolling moment M
 };
 using ContactHistory = BasicContactHistory<double>;
+
+/// Whether nothing is remembered: all bits are zero (a history of negative zeros is one, and is kept as it is).
+inline bool is_blank(const ContactHistory& h) {
+  constexpr ContactHistory blank = {};
+  return std::memcmp(&h, &blank, sizeof(ContactHistory)) == 0;
+}
 
 /// What a particle carries of one contact with another when lists are rebuilt or when it changes its rank. The history
 /// is oriented from the higher to the lower id, as in the pair loop, whoever carries it.

@@ -53,6 +53,14 @@ double distance(const Wall& wall, const Vec3& centre) {
   return std::visit([&](const auto& shape) { return distance(shape, centre); }, wall.shape);
 }
 
+Face face_of(const Wall& wall, int feature) {
+  return std::visit([&](const auto& shape) { return face_of(shape, feature); }, wall.shape);
+}
+
+double margin(const Wall& wall, int feature, const Vec3& centre) {
+  return std::visit([&](const auto& shape) { return margin(shape, feature, centre); }, wall.shape);
+}
+
 bool adjacent_features(const Wall& wall, int a, int b) {
   const int apart = std::abs(a - b);
   const auto* profile = std::get_if<Profile>(&wall.shape);

@@ -27,6 +27,11 @@ int find_touches(const Wall& wall, int wall_index, const Vec3& centre, double re
 /// Distance in m from `centre` to the surface.
 double distance(const Wall& wall, const Vec3& centre);
 
+/// The face that feature `feature` is, and how far in m `centre`, which projects onto it, may move in any direction and
+/// still do so.
+Face face_of(const Wall& wall, int feature);
+double margin(const Wall& wall, int feature, const Vec3& centre);
+
 /// Whether two features of a wall meet (or are one), so that a contact may pass from one to the other with its history.
 bool adjacent_features(const Wall& wall, int a, int b);
 

@@ -11,21 +11,10 @@ namespace {
 // sphere's radius times the square of the angle.
 constexpr double in_line_angle = 1e-6;
 
-// The centre in cylinder coordinates of the profile.
-struct Meridian {
-  double rho;
-  double z;
-  Vec3 outward;  // unit, away from the axis
-};
+using Meridian = BasicMeridian<double>;
 
 Meridian meridian(const Profile& profile, const Vec3& centre) {
-  const Vec3 d = centre - profile.origin;
-  const double z = dot(d, profile.axis);
-  Vec3 across = d - z * profile.axis;
-  across -= dot(across, profile.axis) * profile.axis;  // a second pass removes what rounding left along the axis
-  const double rho = norm(across);
-  const bool on_axis = rho < 1e-100;  // nearer, the squares lose their digits
-  return {rho, z, on_axis ? profile.aside : Vec3{across.x / rho, across.y / rho, across.z / rho}};
+  return repose::meridian(profile.origin, profile.axis, profile.aside, centre);
 }
 
 // A feature of the profile that is the nearest one of its neighbourhood, in the meridian half-plane.
@@ -122,6 +111,22 @@ void find_touches(const Profile& profile, const Vec3& centre, double reach, int 
              .feature = near.feature,
              .on_face = near.on_face});
   });
+}
+
+Face face_of(const Profile& profile, int feature) {
+  const auto k = static_cast<std::size_t>(feature / 2);
+  const auto [r, z] = profile.vertices[(k + 1) % profile.vertices.size()];  // as visit_near_features measures it
+  const Profile::Segment& segment = profile.segments[k];
+  return TurnedFace{profile.origin, profile.axis, profile.aside, r, z, segment.dr, segment.dz};
+}
+
+double margin(const Profile& profile, int feature, const Vec3& centre) {
+  const Meridian at = meridian(profile, centre);
+  const auto k = static_cast<std::size_t>(feature / 2);
+  const auto along = [&](const std::array<double, 2>& vertex) {
+    return profile.segments[k].dr * (at.rho - vertex[0]) + profile.segments[k].dz * (at.z - vertex[1]);
+  };
+  return std::min(along(profile.vertices[k]), -along(profile.vertices[(k + 1) % profile.vertices.size()]));
 }
 
 Profile make_profile(const std::vector<std::array<double, 2>>& points, const Vec3& origin, const Vec3& axis) {

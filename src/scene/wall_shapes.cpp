@@ -1,17 +1,20 @@
 #include "scene/wall_shapes.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace repose {
 
 namespace {
 
-WallTouch face_touch(double signed_distance, const Vec3& face_normal, const Vec3& centre, int wall, int feature) {
-  const Vec3 normal = signed_distance < 0.0 ? -face_normal : face_normal;
-  const double distance = std::fabs(signed_distance);
-  return {
-      .distance = distance, .normal = normal, .point = centre - distance * normal, .wall = wall, .feature = feature};
+FlatFace flat(const Plane& plane) { return {plane.point, plane.normal}; }
+FlatFace flat(const Rectangle& rectangle) { return {rectangle.corner, rectangle.normal}; }
+
+void add_face(const FlatFace& face, const Vec3& centre, double reach, int wall, TouchBuffer& out) {
+  const auto [distance, normal] = touch(face, centre);
+  if (!(distance < reach)) return;
+  out.add({.distance = distance, .normal = normal, .point = centre - distance * normal, .wall = wall, .feature = 0});
 }
 
 struct RectanglePoint {
@@ -30,23 +33,25 @@ RectanglePoint nearest(const Rectangle& rectangle, const Vec3& centre) {
 
 }  // namespace
 
-double distance(const Plane& plane, const Vec3& centre) { return std::fabs(dot(centre - plane.point, plane.normal)); }
+double distance(const Plane& plane, const Vec3& centre) { return touch(flat(plane), centre).distance; }
 
 void find_touches(const Plane& plane, const Vec3& centre, double reach, int wall, TouchBuffer& out) {
-  const double signed_distance = dot(centre - plane.point, plane.normal);
-  if (std::fabs(signed_distance) < reach) out.add(face_touch(signed_distance, plane.normal, centre, wall, 0));
+  add_face(flat(plane), centre, reach, wall, out);
 }
+
+Face face_of(const Plane& plane, int) { return flat(plane); }
+
+double margin(const Plane&, int, const Vec3&) { return std::numeric_limits<double>::infinity(); }
 
 double distance(const Rectangle& rectangle, const Vec3& centre) {
   const RectanglePoint near = nearest(rectangle, centre);
-  return near.on_face ? std::fabs(dot(centre - rectangle.corner, rectangle.normal)) : norm(near.offset);
+  return near.on_face ? touch(flat(rectangle), centre).distance : norm(near.offset);
 }
 
 void find_touches(const Rectangle& rectangle, const Vec3& centre, double reach, int wall, TouchBuffer& out) {
   const RectanglePoint near = nearest(rectangle, centre);
   if (near.on_face) {
-    const double signed_distance = dot(centre - rectangle.corner, rectangle.normal);
-    if (std::fabs(signed_distance) < reach) out.add(face_touch(signed_distance, rectangle.normal, centre, wall, 0));
+    add_face(flat(rectangle), centre, reach, wall, out);
     return;
   }
   const double d = norm(near.offset);
@@ -58,6 +63,15 @@ void find_touches(const Rectangle& rectangle, const Vec3& centre, double reach, 
              .feature = 0,
              .on_face = false});
   }
+}
+
+Face face_of(const Rectangle& rectangle, int) { return flat(rectangle); }
+
+double margin(const Rectangle& rectangle, int, const Vec3& centre) {
+  const Vec3 d = centre - rectangle.corner;
+  const double a = dot(d, rectangle.u);
+  const double b = dot(d, rectangle.v);
+  return std::min({a, rectangle.length_u - a, b, rectangle.length_v - b});
 }
 
 Vec3 unit_vector(const Vec3& v) {

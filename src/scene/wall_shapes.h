@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "scene/wall_face.h"
 #include "scene/wall_touch.h"
 
 /// The shapes of walls: surfaces without thickness, felt from both sides. Each shape has find_touches, which appends
@@ -54,6 +55,16 @@ void find_touches(const Profile& profile, const Vec3& centre, double reach, int 
 double distance(const Plane& plane, const Vec3& centre);
 double distance(const Rectangle& rectangle, const Vec3& centre);
 double distance(const Profile& profile, const Vec3& centre);
+
+/// The face that feature `feature` is.
+Face face_of(const Plane& plane, int feature);
+Face face_of(const Rectangle& rectangle, int feature);
+Face face_of(const Profile& profile, int feature);
+
+/// How far in m `centre`, which projects onto the face, may move in any direction and still do so.
+double margin(const Plane& plane, int feature, const Vec3& centre);
+double margin(const Rectangle& rectangle, int feature, const Vec3& centre);
+double margin(const Profile& profile, int feature, const Vec3& centre);
 
 /// Profile from points (r, z) in m, r >= 0; the axis need not be of unit length. A last point equal to the first closes
 /// the chain. std::invalid_argument, saying what is wrong, for fewer than two points, r < 0, a segment without length

@@ -1,5 +1,7 @@
 // Contacts of particles with walls: forces, histories, removal, alarms.
 #include <cmath>
+#include <cstring>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +10,8 @@
 #include "integration/velocity_verlet.h"
 #include "scene/sphere.h"
 #include "support/contact_law.h"
+#include "support/draw.h"
+#include "support/levels.h"
 #include "support/scenes.h"
 
 namespace repose::test {
@@ -17,7 +21,11 @@ constexpr double radius = 0.5e-3;
 constexpr double dt = 1e-6;
 constexpr double max_overlap = 0.3;
 
+/// Grains and walls. With lanes a grain near one face goes into the lanes of that face; without, it is searched.
 struct Setting {
+  explicit Setting(bool in_lanes) : lanes(in_lanes) {}
+
+  bool lanes;
   MaterialTable materials{bare_deck({}, dt)};
   std::vector<Wall> walls;
   Particles particles;
@@ -38,12 +46,14 @@ struct Setting {
   }
   void build(const Csr<WallMemory>& memory) {
     contacts.build(particles, walls, std::vector<double>(particles.owned, 1.3 * radius), memory);
+    if (lanes) contacts.select_near(particles, walls, {0.3, 0.0});
   }
   void build() { build(Csr<WallMemory>::group(particles.owned, {})); }
-  WallAlarms evaluate() {
+  WallAlarms evaluate(VectorLevel level = best_vector_level()) {
     std::fill(particles.sum.begin(), particles.sum.end(), ForceSum{});
-    return contacts.evaluate(best_vector_level(), walls, materials, dt, max_overlap, particles);
+    return contacts.evaluate(level, walls, materials, dt, max_overlap, particles);
   }
+  std::vector<WallContact> touching() const { return contacts.contacts(walls, particles); }
   Vec3 force(std::size_t i) const {
     const std::int64_t* sum = particles.sum[i].force;
     const double unit = 1.0 / particles.record[i].force_scale;
@@ -56,18 +66,22 @@ struct Setting {
   }
 };
 
-Setting grain_on_floor() {
-  Setting setting;
+Setting grain_on_floor(bool lanes) {
+  Setting setting(lanes);
   setting.add_wall({}, {0.0, 0.0, 1.0});
   setting.add_grain({0.0, 0.0, 0.99 * radius}, {0.002, 0.0, -0.003}, {0.0, 5.0, 0.0});
   return setting;
 }
 
-TEST(WallContacts, ForceAndTorqueByHand) {
-  Setting s = grain_on_floor();
+class WallContactsTest : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(BothWays, WallContactsTest, testing::Values(false, true),
+                         [](const auto& way) { return way.param ? "InLanes" : "Searched"; });
+
+TEST_P(WallContactsTest, ForceAndTorqueByHand) {
+  Setting s = grain_on_floor(GetParam());
   s.build();
   EXPECT_FALSE(s.evaluate().any());
-  ASSERT_EQ(s.contacts.contacts().size(), 1U);
+  ASSERT_EQ(s.touching().size(), 1U);
 
   const PairParameters& pair = s.materials.pair(0, 1);
   ContactGeometry contact = {};
@@ -88,14 +102,14 @@ TEST(WallContacts, ForceAndTorqueByHand) {
   EXPECT_GT(forces.force.x, 0.0);
   EXPECT_NEAR(s.torque(0).y, -arm * forces.friction_arm.y - history.rolling.y, 1e-12 * radius * forces.force.z);
   EXPECT_LT(s.torque(0).y, 0.0);  // friction that pushes the grain ahead slows its spin
-  EXPECT_NEAR(s.contacts.contacts()[0].overlap, 0.01 * radius, 1e-15);
+  EXPECT_NEAR(s.touching()[0].overlap, 0.01 * radius, 1e-15);
 }
 
-TEST(WallContacts, HistoriesGrowAndSurviveARebuild) {
-  Setting once = grain_on_floor();
+TEST_P(WallContactsTest, HistoriesGrowAndSurviveARebuild) {
+  Setting once = grain_on_floor(GetParam());
   once.build();
   for (int k = 0; k < 5; ++k) once.evaluate();
-  Setting rebuilt = grain_on_floor();
+  Setting rebuilt = grain_on_floor(GetParam());
   rebuilt.build();
   for (int k = 0; k < 5; ++k) {
     rebuilt.evaluate();
@@ -103,49 +117,49 @@ TEST(WallContacts, HistoriesGrowAndSurviveARebuild) {
   }
   rebuilt.evaluate();
   once.evaluate();
-  EXPECT_EQ(rebuilt.contacts.contacts()[0].history.spring, once.contacts.contacts()[0].history.spring);
-  EXPECT_EQ(rebuilt.contacts.contacts()[0].history.rolling, once.contacts.contacts()[0].history.rolling);
-  EXPECT_NEAR(once.contacts.contacts()[0].history.spring.x, 6.0 * dt * (0.002 - 0.995 * radius * 5.0), 1e-22);
+  EXPECT_EQ(rebuilt.touching()[0].history.spring, once.touching()[0].history.spring);
+  EXPECT_EQ(rebuilt.touching()[0].history.rolling, once.touching()[0].history.rolling);
+  EXPECT_NEAR(once.touching()[0].history.spring.x, 6.0 * dt * (0.002 - 0.995 * radius * 5.0), 1e-22);
 }
 
-TEST(WallContacts, PartingForgets) {
-  Setting s = grain_on_floor();
+TEST_P(WallContactsTest, PartingForgets) {
+  Setting s = grain_on_floor(GetParam());
   s.build();
   s.evaluate();
-  const ContactHistory first = s.contacts.contacts()[0].history;
+  const ContactHistory first = s.touching()[0].history;
   s.particles.record[0].position.z = 1.001 * radius;
   s.evaluate();
-  EXPECT_TRUE(s.contacts.contacts().empty());
+  EXPECT_TRUE(s.touching().empty());
   s.particles.record[0].position.z = 0.99 * radius;
   s.evaluate();
-  EXPECT_EQ(s.contacts.contacts()[0].history.spring, first.spring);
+  EXPECT_EQ(s.touching()[0].history.spring, first.spring);
 }
 
-TEST(WallContacts, AnAbsentWallIsNotFeltUntilItIsAdded) {
-  Setting s = grain_on_floor();
+TEST_P(WallContactsTest, AnAbsentWallIsNotFeltUntilItIsAdded) {
+  Setting s = grain_on_floor(GetParam());
   s.walls[0].present = false;
   s.build();
   s.evaluate();
-  EXPECT_TRUE(s.contacts.contacts().empty());
+  EXPECT_TRUE(s.touching().empty());
   EXPECT_EQ(s.force(0), Vec3{});
   s.walls[0].present = true;
   s.evaluate();
-  EXPECT_EQ(s.contacts.contacts().size(), 1U);
+  EXPECT_EQ(s.touching().size(), 1U);
   EXPECT_GT(s.force(0).z, 0.0);
 }
 
-TEST(WallContacts, ACornerOfTwoPlanesIsTouchedTwice) {
-  Setting s = grain_on_floor();
+TEST_P(WallContactsTest, ACornerOfTwoPlanesIsTouchedTwice) {
+  Setting s = grain_on_floor(GetParam());
   s.add_wall({-0.99 * radius, 0.0, 0.0}, {1.0, 0.0, 0.0});
   s.build();
   EXPECT_FALSE(s.evaluate().any());
-  EXPECT_EQ(s.contacts.contacts().size(), 2U);
+  EXPECT_EQ(s.touching().size(), 2U);
   EXPECT_GT(s.force(0).x, 0.0);
   EXPECT_GT(s.force(0).z, 0.0);
 }
 
-TEST(WallContacts, AlarmsForDeepOverlapAndNan) {
-  Setting s = grain_on_floor();
+TEST_P(WallContactsTest, AlarmsForDeepOverlapAndNan) {
+  Setting s = grain_on_floor(GetParam());
   s.particles.record[0].position.z = 0.71 * radius;
   s.build();
   EXPECT_FALSE(s.evaluate().any());
@@ -157,18 +171,77 @@ TEST(WallContacts, AlarmsForDeepOverlapAndNan) {
 }
 
 // A parked particle is out of every contact at once, also out of those with infinite planes, which reach that far.
-TEST(WallContacts, AParkedParticleTouchesNoPlane) {
+TEST_P(WallContactsTest, AParkedParticleTouchesNoPlane) {
   for (const Vec3& normal : {Vec3{0.0, 0.0, 1.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.6, 0.8}}) {
-    Setting s;
+    Setting s(GetParam());
     s.add_wall({}, normal);
     s.add_grain(0.99 * radius * normal, {}, {});
     s.build();
     s.evaluate();
-    ASSERT_EQ(s.contacts.contacts().size(), 1U);
+    ASSERT_EQ(s.touching().size(), 1U);
     ExitCount left;
     retire_leavers({{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}}, s.materials, MassUnit(1.0), s.particles, left);
     EXPECT_FALSE(s.evaluate().any());
-    EXPECT_TRUE(s.contacts.contacts().empty());
+    EXPECT_TRUE(s.touching().empty());
+  }
+}
+
+WallDeck funnel() {
+  WallDeck deck;
+  deck.name = "funnel";
+  deck.type = WallType::profile;
+  deck.material = "steel";
+  deck.points = {{0.02, 0.05}, {0.02, 0.02}, {0.005, 0.0}};  // a cylinder and a cone
+  deck.axis_origin = {0.001, 0.002, 0.003};
+  deck.axis_direction = {0.1, -0.2, 1.0};
+  return deck;
+}
+WallDeck tilted_plate() {
+  WallDeck deck;
+  deck.name = "plate";
+  deck.type = WallType::rectangle;
+  deck.material = "steel";
+  deck.corner = {-0.02, -0.02, -0.01};
+  deck.edge_u = {0.04, 0.0, 0.004};
+  deck.edge_v = {0.0, 0.04, 0.0};
+  return deck;
+}
+
+/// A crowd that touches the faces and edges of two walls, moved about for some steps with its lists made anew at times.
+Setting after_some_steps(bool lanes, VectorLevel level) {
+  Setting s(lanes);
+  s.walls = {make_wall(funnel(), 1), make_wall(tilted_plate(), 1)};
+  Draw draw(5);
+  while (s.particles.owned < 300) {
+    const Vec3 position = {draw(-0.025, 0.025), draw(-0.025, 0.025), draw(-0.012, 0.05)};
+    const double gap = std::min(distance(s.walls[0], position), distance(s.walls[1], position));
+    if (gap > 0.8 * radius && gap < 1.1 * radius) s.add_grain(position, draw.vector(0.05), draw.vector(50.0));
+  }
+  for (int step = 0; step < 40; ++step) {
+    if (step % 10 == 0) s.build(s.contacts.memory(s.particles.owned));
+    s.evaluate(level);
+    for (ParticleRecord& p : s.particles.record) p.position += dt * p.velocity;
+  }
+  s.evaluate(level);
+  return s;
+}
+
+TEST(WallContactsInLanes, GiveTheBitsOfTheSearch) {
+  const Setting searched = after_some_steps(false, best_vector_level());
+  ASSERT_GT(searched.touching().size(), 100U);
+  for (const VectorLevel level : levels_here()) {
+    const Setting s = after_some_steps(true, level);
+    EXPECT_GT(s.contacts.in_lanes(), 150U);
+    EXPECT_LT(s.contacts.in_lanes(), 300U);
+    EXPECT_EQ(std::memcmp(s.particles.sum.data(), searched.particles.sum.data(), 300 * sizeof(ForceSum)), 0);
+    const std::vector<WallContact> a = s.touching(), b = searched.touching();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      EXPECT_EQ(std::tie(a[k].particle, a[k].wall, a[k].feature), std::tie(b[k].particle, b[k].wall, b[k].feature));
+      EXPECT_EQ(a[k].normal, b[k].normal);
+      EXPECT_EQ(a[k].overlap, b[k].overlap);
+      EXPECT_EQ(std::memcmp(&a[k].history, &b[k].history, sizeof(ContactHistory)), 0);
+    }
   }
 }
 

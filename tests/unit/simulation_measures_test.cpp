@@ -44,7 +44,7 @@ TEST(Energies, ByHand) {
   EXPECT_NEAR(e.elastic, elastic, 1e-12 * elastic);  // the overlaps are differences: 1e-18 m of 1e-5 m
   EXPECT_NEAR(e.total(), e.translational + e.rotational + e.gravitational + e.elastic, 1e-20);
   EXPECT_NEAR(mean_kinetic_energy(s.comm(), s.materials(), s.particles()), e.translational / 3.0, 1e-21);
-  const ContactCount contacts = count_contacts(s.comm(), s.particles(), s.pairs(), s.wall_contacts());
+  const ContactCount contacts = count_contacts(s.comm(), s.particles(), s.pairs(), s.walls(), s.wall_contacts());
   EXPECT_EQ(contacts.pairs, 1);
   EXPECT_EQ(contacts.walls, 1);
 }

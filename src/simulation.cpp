@@ -125,6 +125,7 @@ void Simulation::rebuild_lists() {
   ContactMemory memory = {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)};
   if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
   balance();
+  pairs_.clear();  // a large bed has no room for the old lists beside the new ones
   migrate(comm_, decomposition_, particles_, memory);
   set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
   check_time_step();
@@ -132,6 +133,7 @@ void Simulation::rebuild_lists() {
   add_lane_dummies(particles_);
   pairs_.build(particles_, reach, memory.pairs);
   wall_contacts_.build(particles_, walls_, reach, memory.walls);
+  memory = {};
   watch_.outer_listed(particles_);
   select_near();
   parked_ = 0;

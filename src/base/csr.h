@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace repose {
@@ -20,24 +19,23 @@ struct Csr {
     offset.push_back(items.size());
   }
 
-  /// Groups (row, item) entries; within a row they keep their order.
-  static Csr group(std::size_t rows, const std::vector<std::pair<std::size_t, T>>& entries) {
+  static Csr empty(std::size_t rows) {
     Csr csr;
     csr.offset.assign(rows + 1, 0);
-    for (const auto& [row, item] : entries) ++csr.offset[row + 1];
-    for (std::size_t i = 0; i < rows; ++i) csr.offset[i + 1] += csr.offset[i];
-    csr.items.resize(entries.size());
-    std::vector<std::size_t> next(csr.offset.begin(), csr.offset.end() - 1);
-    for (const auto& [row, item] : entries) csr.items[next[row]++] = item;
     return csr;
   }
 
-  /// Rows in a new order: row k of the result is row order[k] of this.
-  Csr reordered(std::span<const std::size_t> order) const {
-    Csr result;
-    result.items.reserve(items.size());
-    for (const std::size_t i : order) result.append_row(row(i));
-    return result;
+  /// Groups the entries that for_each(add) names by add(row, item), twice over: first they are counted, then kept, so
+  /// that no more memory is taken than the result needs. Within a row they keep their order.
+  template <class ForEach>
+  static Csr group(std::size_t rows, const ForEach& for_each) {
+    Csr csr = empty(rows);
+    for_each([&](std::size_t row, const T&) { ++csr.offset[row + 1]; });
+    for (std::size_t i = 0; i < rows; ++i) csr.offset[i + 1] += csr.offset[i];
+    csr.items.resize(csr.offset.back());
+    std::vector<std::size_t> next(csr.offset.begin(), csr.offset.end() - 1);
+    for_each([&](std::size_t row, const T& item) { csr.items[next[row]++] = item; });
+    return csr;
   }
 };
 

@@ -118,7 +118,7 @@ struct LanePairs {
   LaneBody first, second;
   ContactAlarms alarms;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const Prefetch prefetch(blocks, fetch, k + 2, records, sums);
+    const Prefetch prefetch(blocks, fetch, k + 4, records, sums);
     gather_pairs(prefetch, records, blocks[k], pairs, first, second);
     alarms.too_deep += evaluate_overlaps(pair, max_overlap, pairs, contact, first, second);
     evaluate_velocities(pairs, first, second, contact);

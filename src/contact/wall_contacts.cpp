@@ -253,17 +253,16 @@ std::size_t WallContacts::bytes_of_faces() const {
 }
 
 Csr<WallMemory> WallContacts::memory(std::size_t owned) const {
-  std::vector<std::pair<std::size_t, WallMemory>> entries;
-  entries.reserve(contacts_.size());
-  const auto add = [&](std::int32_t particle, std::int32_t wall, std::int32_t feature, const ContactHistory& h) {
-    if (!is_blank(h)) entries.push_back({static_cast<std::size_t>(particle), {wall, feature, h}});
-  };
-  for (const WallContact& c : contacts_) add(c.particle, c.wall, c.feature, c.history);
-  for (const FaceGroup& group : faces_) {
-    for_each_lane(group,
-                  [&](std::int32_t particle, const ContactHistory& h) { add(particle, group.wall, group.feature, h); });
-  }
-  return Csr<WallMemory>::group(owned, entries);
+  return Csr<WallMemory>::group(owned, [&](const auto& add_row) {
+    const auto add = [&](std::int32_t particle, std::int32_t wall, std::int32_t feature, const ContactHistory& h) {
+      if (!is_blank(h)) add_row(static_cast<std::size_t>(particle), {wall, feature, h});
+    };
+    for (const WallContact& c : contacts_) add(c.particle, c.wall, c.feature, c.history);
+    for (const FaceGroup& group : faces_) {
+      for_each_lane(
+          group, [&](std::int32_t particle, const ContactHistory& h) { add(particle, group.wall, group.feature, h); });
+    }
+  });
 }
 
 }  // namespace repose

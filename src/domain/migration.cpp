@@ -22,7 +22,8 @@ struct Arrivals {
   std::vector<ParticleRecord> record;
   std::vector<std::int64_t> id;
   std::vector<std::int32_t> material;
-  ContactMemory memory;
+  std::vector<std::size_t> stayed;  ///< the first of them: where their contact memories are
+  ContactMemory memory;             ///< of the rest
 };
 
 void pack(const Particles& particles, const ContactMemory& memory, std::size_t i, std::vector<char>& bytes) {
@@ -48,6 +49,23 @@ void unpack(const std::vector<char>& bytes, Arrivals& arrivals) {
   }
 }
 
+/// The rows of all arrivals in a new order.
+template <class T>
+Csr<T> gather_rows(const Arrivals& arrivals, const Csr<T>& of_stayed, const Csr<T>& of_rest,
+                   std::span<const std::size_t> order) {
+  const auto row = [&](std::size_t i) {
+    const std::size_t stayed = arrivals.stayed.size();
+    return i < stayed ? of_stayed.row(arrivals.stayed[i]) : of_rest.row(i - stayed);
+  };
+  std::size_t items = 0;
+  for (const std::size_t i : order) items += row(i).size();
+  Csr<T> result;
+  result.offset.reserve(order.size() + 1);
+  result.items.reserve(items);
+  for (const std::size_t i : order) result.append_row(row(i));
+  return result;
+}
+
 void sort_into(const Arrivals& arrivals, Particles& particles, ContactMemory& memory) {
   const std::vector<std::size_t> order = morton_order(arrivals.record, arrivals.id);
   particles.owned = order.size();
@@ -59,8 +77,8 @@ void sort_into(const Arrivals& arrivals, Particles& particles, ContactMemory& me
     particles.id.push_back(arrivals.id[i]);
     particles.material.push_back(arrivals.material[i]);
   }
-  memory.pairs = arrivals.memory.pairs.reordered(order);
-  memory.walls = arrivals.memory.walls.reordered(order);
+  memory.pairs = gather_rows(arrivals, memory.pairs, arrivals.memory.pairs, order);
+  memory.walls = gather_rows(arrivals, memory.walls, arrivals.memory.walls, order);
 }
 
 }  // namespace
@@ -76,8 +94,7 @@ void migrate(const Communicator& comm, const Decomposition& decomposition, Parti
       arrivals.record.push_back(particles.record[i]);
       arrivals.id.push_back(particles.id[i]);
       arrivals.material.push_back(particles.material[i]);
-      arrivals.memory.pairs.append_row(memory.pairs.row(i));
-      arrivals.memory.walls.append_row(memory.walls.row(i));
+      arrivals.stayed.push_back(i);
     } else {
       pack(particles, memory, i, leaving[static_cast<std::size_t>(owner)]);
     }

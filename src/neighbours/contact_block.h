@@ -8,7 +8,7 @@
 
 namespace repose {
 
-inline constexpr int block_lanes = 32;
+inline constexpr int block_lanes = 16;
 
 /// A run of neighbour pairs and what their contacts remember, laid out for vector registers. `first` has the lower id;
 /// all vectors of a contact point from the second to the first. Lanes that are not in contact hold zero history, so

@@ -1,8 +1,6 @@
 #include "neighbours/pair_lists.h"
 
-#include <algorithm>
-
-#include "neighbours/cell_grid.h"
+#include "neighbours/near_pairs.h"
 
 namespace repose {
 namespace {
@@ -59,33 +57,20 @@ PairGroup& PairLists::group_for(const Particles& particles, std::size_t first, s
 
 void PairLists::build(const Particles& particles, std::span<const double> reach, const Csr<PairMemory>& memory) {
   groups_.clear();
-  if (reach.empty()) return;
-  const double smallest = *std::min_element(reach.begin(), reach.end());
-  const CellGrid grid(std::span(particles.record).first(reach.size()), 2.0 * smallest);
-
-  // The particle with the longer reach finds the pair, so that short reaches never search far.
-  for (std::size_t i = 0; i < reach.size(); ++i) {
-    const ParticleRecord& a = particles.record[i];
-    grid.for_each_near(a.position, 2.0 * reach[i], [&](std::size_t j) {
-      if (i >= particles.owned && j >= particles.owned) return;
-      if (reach[j] > reach[i] || (reach[j] == reach[i] && particles.id[j] <= particles.id[i])) return;
-      const double limit = reach[i] + reach[j];
-      if (squared_norm(particles.record[j].position - a.position) >= limit * limit) return;
-
-      const bool i_first = particles.id[i] < particles.id[j];
-      const std::size_t first = i_first ? i : j;
-      const std::size_t second = i_first ? j : i;
-      PairGroup& group = group_for(particles, first, second, i < particles.owned && j < particles.owned);
-      const ContactHistory history = first < particles.owned ? remembered(memory, first, particles.id[second])
-                                                             : remembered(memory, second, particles.id[first]);
-      PairGroup::Pair pair = {static_cast<std::int32_t>(first), static_cast<std::int32_t>(second), -1};
-      if (!is_blank(history)) {
-        if (group.lanes % block_lanes == 0) group.blocks.emplace_back();
-        set_lane(group.blocks.back(), group.lanes % block_lanes, pair.first, pair.second, history);
-        pair.lane = static_cast<std::int32_t>(group.lanes++);
-      }
-      group.pairs.push_back(pair);
-    });
+  for (const auto& [i, j] : near_pairs(std::span(particles.record).first(reach.size()), reach, particles.owned)) {
+    const bool i_first = particles.id[index(i)] < particles.id[index(j)];
+    const std::int32_t first = i_first ? i : j;
+    const std::int32_t second = i_first ? j : i;
+    PairGroup& group = group_for(particles, index(first), index(second), index(j) < particles.owned);
+    // i, the lower index, is owned.
+    const ContactHistory history = remembered(memory, index(i), particles.id[index(j)]);
+    PairGroup::Pair pair = {first, second, -1};
+    if (!is_blank(history)) {
+      if (group.lanes % block_lanes == 0) group.blocks.emplace_back();
+      set_lane(group.blocks.back(), group.lanes % block_lanes, first, second, history);
+      pair.lane = static_cast<std::int32_t>(group.lanes++);
+    }
+    group.pairs.push_back(pair);
   }
 }
 
@@ -111,7 +96,7 @@ void PairLists::select_near(const Particles& particles, const SkinRule& rule) {
 }
 
 void PairLists::list_fetches(const Particles& particles, PairGroup& group) {
-  constexpr std::uint32_t memory = 64;  // blocks whose particles are still in the second-level cache
+  constexpr std::uint32_t memory = 128;  // blocks whose particles are still in the second-level cache
   used_.assign(particles.total() + 2, 0);
   group.fetch.particles.clear();
   group.fetch.end.clear();
@@ -143,18 +128,18 @@ void PairLists::find_near(const Particles& particles, const PairGroup& group) {
 }
 
 Csr<PairMemory> PairLists::memory(const Particles& particles) const {
-  std::vector<std::pair<std::size_t, PairMemory>> entries;
-  for (const PairGroup& group : groups_) {
-    for (std::size_t lane = 0; lane < group.lanes; ++lane) {
-      const ContactHistory history = lane_history(group, lane);
-      if (is_blank(history)) continue;
-      const std::size_t first = index(group.blocks[lane / block_lanes].first[lane % block_lanes]);
-      const std::size_t second = index(group.blocks[lane / block_lanes].second[lane % block_lanes]);
-      if (first < particles.owned) entries.push_back({first, {particles.id[second], history}});
-      if (second < particles.owned) entries.push_back({second, {particles.id[first], history}});
+  return Csr<PairMemory>::group(particles.owned, [&](const auto& add) {
+    for (const PairGroup& group : groups_) {
+      for (std::size_t lane = 0; lane < group.lanes; ++lane) {
+        const ContactHistory history = lane_history(group, lane);
+        if (is_blank(history)) continue;
+        const std::size_t first = index(group.blocks[lane / block_lanes].first[lane % block_lanes]);
+        const std::size_t second = index(group.blocks[lane / block_lanes].second[lane % block_lanes]);
+        if (first < particles.owned) add(first, {particles.id[second], history});
+        if (second < particles.owned) add(second, {particles.id[first], history});
+      }
     }
-  }
-  return Csr<PairMemory>::group(particles.owned, entries);
+  });
 }
 
 std::vector<std::int64_t> PairLists::pairs_of_owned(const Particles& particles) const {

@@ -40,6 +40,9 @@ class PairLists {
   /// stay.
   void select_near(const Particles& particles, const SkinRule& rule);
 
+  /// Gives the memory of all lists and histories back.
+  void clear() { *this = {}; }
+
   std::span<PairGroup> groups() { return groups_; }
   std::span<const PairGroup> groups() const { return groups_; }
 

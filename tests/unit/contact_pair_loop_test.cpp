@@ -133,12 +133,12 @@ TEST_F(PairLoop, ReportsNan) {
   for (const VectorLevel level : levels_here()) {
     SCOPED_TRACE(to_string(level));
     Loop loop = random_loop(17, 64, materials);
-    ParticleRecord& a = loop.particles.record[static_cast<std::size_t>(loop.blocks[0].first[21])];
-    ParticleRecord& b = loop.particles.record[static_cast<std::size_t>(loop.blocks[0].second[21])];
+    ParticleRecord& a = loop.particles.record[static_cast<std::size_t>(loop.blocks[0].first[13])];
+    ParticleRecord& b = loop.particles.record[static_cast<std::size_t>(loop.blocks[0].second[13])];
     b.position = a.position + Vec3{0.0, 0.0, 0.99 * (a.radius + b.radius)};
     ASSERT_FALSE(evaluate(level, loop, pair).alarms.any());
-    for (double* poisoned : {&a.velocity.y, &b.velocity.x, &a.spin.z, &b.spin.x, &loop.blocks[0].spring[1][21],
-                             &loop.blocks[0].rolling[2][21]}) {
+    for (double* poisoned : {&a.velocity.y, &b.velocity.x, &a.spin.z, &b.spin.x, &loop.blocks[0].spring[1][13],
+                             &loop.blocks[0].rolling[2][13]}) {
       const double healthy = *poisoned;
       *poisoned = nan;
       EXPECT_GT(evaluate(level, loop, pair).alarms.out_of_range, 0);

@@ -48,7 +48,7 @@ struct Setting {
     contacts.build(particles, walls, std::vector<double>(particles.owned, 1.3 * radius), memory);
     if (lanes) contacts.select_near(particles, walls, {0.3, 0.0});
   }
-  void build() { build(Csr<WallMemory>::group(particles.owned, {})); }
+  void build() { build(Csr<WallMemory>::empty(particles.owned)); }
   WallAlarms evaluate(VectorLevel level = best_vector_level()) {
     std::fill(particles.sum.begin(), particles.sum.end(), ForceSum{});
     return contacts.evaluate(level, walls, materials, dt, max_overlap, particles);

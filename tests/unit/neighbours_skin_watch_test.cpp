@@ -126,7 +126,7 @@ TEST(SkinWatch, NoContactIsEverMissed) {
   p.owned = p.total();
   PairLists lists;
   SkinWatch watch(inner, outer);
-  const Csr<PairMemory> nothing = Csr<PairMemory>::group(p.owned, {});
+  const Csr<PairMemory> nothing = Csr<PairMemory>::empty(p.owned);
   const auto rebuild = [&] {
     lists.build(p, reaches(p, outer), nothing);
     lists.select_near(p, inner);

@@ -1,0 +1,183 @@
+#include "neighbours/near_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+// The particles are told apart by their reach into levels, each at most twice that of the level below. A level has
+// cells as wide as two of its reaches, so that a particle finds all partners in its own and in higher levels in the 3 x
+// 3 x 3 cells about its own place: a large ball in fine grains does not search for them, they find the ball.
+//
+// No table holds the cells: members and searchers of a level are sorted by cell, x before y before z. For each of the
+// 3 x 3 columns of cells along z the partners of successive searchers then lie in successive places, so that one pass
+// with a cursor per column finds them.
+
+namespace repose {
+namespace {
+
+using Pair = std::array<std::int32_t, 2>;
+
+struct Sorted {
+  std::uint64_t cell;
+  std::int32_t index;
+  double reach;
+  Vec3 position;
+};
+
+constexpr int axis_bits = 21;  // three coordinates fit one 64-bit number
+constexpr std::uint64_t x_step = std::uint64_t{1} << (2 * axis_bits);
+constexpr std::uint64_t y_step = std::uint64_t{1} << axis_bits;
+
+/// Cubic cells. Those at the ends hold all that lies beyond; the outermost stay empty, so that every other has
+/// neighbours.
+struct Cells {
+  Vec3 origin;
+  double inverse_width;
+
+  std::uint64_t along(double offset) const {
+    constexpr double last = static_cast<double>(y_step - 2);
+    return static_cast<std::uint64_t>(std::clamp(std::floor(offset * inverse_width) + 1.0, 1.0, last));
+  }
+  std::uint64_t of(const Vec3& p) const {
+    return along(p.x - origin.x) * x_step + along(p.y - origin.y) * y_step + along(p.z - origin.z);
+  }
+};
+
+std::vector<Sorted> sort_by_cell(const Cells& cells, std::span<const ParticleRecord> particles,
+                                 std::span<const double> reach, std::span<const std::int32_t> chosen) {
+  std::vector<std::pair<std::uint64_t, std::int32_t>> order;
+  order.reserve(chosen.size());
+  for (const std::int32_t i : chosen) order.push_back({cells.of(particles[static_cast<std::size_t>(i)].position), i});
+  std::sort(order.begin(), order.end());
+  std::vector<Sorted> sorted;
+  sorted.reserve(order.size());
+  for (const auto& [cell, i] : order) {
+    const auto k = static_cast<std::size_t>(i);
+    sorted.push_back({cell, i, reach[k], particles[k].position});
+  }
+  return sorted;
+}
+
+bool near(const Sorted& a, const Sorted& b) {
+  const double limit = a.reach + b.reach;
+  return squared_norm(a.position - b.position) < limit * limit;
+}
+
+/// Calls visit for the near pairs of each searcher with the members in three cells along z of each column; the columns
+/// are given by their distance from the searcher's own.
+template <class Visit>
+void sweep(std::span<const Sorted> searchers, std::span<const Sorted> members, std::span<const std::uint64_t> columns,
+           const Visit& visit) {
+  std::array<std::size_t, 9> cursor = {};
+  for (const Sorted& a : searchers) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const std::uint64_t low = a.cell + columns[c] - 1;
+      std::size_t& at = cursor[c];
+      while (at < members.size() && members[at].cell < low) ++at;
+      for (std::size_t k = at; k < members.size() && members[k].cell <= low + 2; ++k) {
+        if (near(a, members[k])) visit(a, members[k]);
+      }
+    }
+  }
+}
+
+/// The near pairs among the members of a level: each with those behind it in its own column, and with the four columns
+/// that come later in the order.
+template <class Visit>
+void sweep_own(std::span<const Sorted> members, const Visit& visit) {
+  constexpr std::array<std::uint64_t, 4> later = {y_step, x_step - y_step, x_step, x_step + y_step};
+  for (std::size_t a = 0; a < members.size(); ++a) {
+    for (std::size_t b = a + 1; b < members.size() && members[b].cell <= members[a].cell + 1; ++b) {
+      if (near(members[a], members[b])) visit(members[a], members[b]);
+    }
+  }
+  sweep(members, members, later, visit);
+}
+
+constexpr std::array<std::uint64_t, 9> all_columns = {std::uint64_t{0} - x_step - y_step,
+                                                      std::uint64_t{0} - x_step,
+                                                      std::uint64_t{0} - x_step + y_step,
+                                                      std::uint64_t{0} - y_step,
+                                                      std::uint64_t{0},
+                                                      y_step,
+                                                      x_step - y_step,
+                                                      x_step,
+                                                      x_step + y_step};
+
+/// Particles below `level` that lie near enough to the members' box to have a partner among them.
+std::vector<std::int32_t> searchers_of(std::span<const std::vector<std::int32_t>> levels, std::size_t level,
+                                       std::span<const Sorted> members, double range,
+                                       std::span<const ParticleRecord> particles) {
+  Vec3 low = members.front().position;
+  Vec3 high = low;
+  for (const Sorted& m : members) {
+    low = {std::min(low.x, m.position.x), std::min(low.y, m.position.y), std::min(low.z, m.position.z)};
+    high = {std::max(high.x, m.position.x), std::max(high.y, m.position.y), std::max(high.z, m.position.z)};
+  }
+  const Vec3 margin = {range, range, range};
+  low -= margin;
+  high += margin;
+  std::vector<std::int32_t> searchers;
+  for (const std::vector<std::int32_t>& lower : levels.first(level)) {
+    for (const std::int32_t i : lower) {
+      const Vec3& p = particles[static_cast<std::size_t>(i)].position;
+      if (p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z) {
+        searchers.push_back(i);
+      }
+    }
+  }
+  return searchers;
+}
+
+/// Indices of the particles by level; the highest holds all that are larger still.
+std::vector<std::vector<std::int32_t>> levels_of(std::span<const double> reach) {
+  constexpr int highest = 40;
+  const double smallest = *std::min_element(reach.begin(), reach.end());
+  std::vector<std::vector<std::int32_t>> levels;
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    const auto level = static_cast<std::size_t>(std::clamp(std::ilogb(reach[i] / smallest), 0, highest));
+    if (level >= levels.size()) levels.resize(level + 1);
+    levels[level].push_back(static_cast<std::int32_t>(i));
+  }
+  return levels;
+}
+
+/// In the order of the first index.
+std::vector<Pair> sort_by_first(const std::vector<Pair>& pairs, std::size_t particles) {
+  std::vector<std::size_t> next(particles + 1, 0);
+  for (const Pair& pair : pairs) ++next[static_cast<std::size_t>(pair[0]) + 1];
+  for (std::size_t i = 0; i < particles; ++i) next[i + 1] += next[i];
+  std::vector<Pair> sorted(pairs.size());
+  for (const Pair& pair : pairs) sorted[next[static_cast<std::size_t>(pair[0])]++] = pair;
+  return sorted;
+}
+
+}  // namespace
+
+std::vector<Pair> near_pairs(std::span<const ParticleRecord> particles, std::span<const double> reach,
+                             std::size_t owned) {
+  std::vector<Pair> pairs;
+  if (reach.empty()) return pairs;
+  Vec3 origin = particles[0].position;
+  for (const ParticleRecord& p : particles) {
+    origin = {std::min(origin.x, p.position.x), std::min(origin.y, p.position.y), std::min(origin.z, p.position.z)};
+  }
+  const auto visit = [&](const Sorted& a, const Sorted& b) {
+    const Pair pair = {std::min(a.index, b.index), std::max(a.index, b.index)};
+    if (static_cast<std::size_t>(pair[0]) < owned) pairs.push_back(pair);
+  };
+  const std::vector<std::vector<std::int32_t>> levels = levels_of(reach);
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    if (levels[level].empty()) continue;
+    double longest = 0.0;
+    for (const std::int32_t i : levels[level]) longest = std::max(longest, reach[static_cast<std::size_t>(i)]);
+    const double width = 2.0 * longest * (1.0 + 1e-9);  // more than what rounding could add to a distance
+    const Cells cells = {origin, 1.0 / width};
+    const std::vector<Sorted> members = sort_by_cell(cells, particles, reach, levels[level]);
+    sweep_own(members, visit);
+    const std::vector<std::int32_t> lower = searchers_of(levels, level, members, width, particles);
+    sweep(sort_by_cell(cells, particles, reach, lower), members, all_columns, visit);
+  }
+  return sort_by_first(pairs, particles.size());
+}
+
+}  // namespace repose

@@ -130,8 +130,13 @@ void Simulation::rebuild_lists() {
   set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
   check_time_step();
   const std::vector<double> reach = ghosts_.set_up(decomposition_, watch_.outer(), particles_);
+  std::vector<IndexPair> near = near_pairs(particles_.record, reach, particles_.owned);
+  const std::vector<bool> needed = ghosts_in(near, particles_.owned, particles_.total());
+  ghosts_.keep(needed, particles_);
+  drop_ghosts(needed, particles_.owned, near);
   add_lane_dummies(particles_);
-  pairs_.build(particles_, reach, memory.pairs);
+  pairs_.build(particles_, near, memory.pairs);
+  near = {};
   wall_contacts_.build(particles_, walls_, reach, memory.walls);
   memory = {};
   watch_.outer_listed(particles_);

@@ -1,6 +1,7 @@
 #include "domain/ghost_exchange.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "comm/buffer.h"
 
@@ -69,6 +70,48 @@ std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, co
   }
   open_requests();
   return reach;
+}
+
+void GhostExchange::keep(const std::vector<bool>& needed, Particles& particles) {
+  free_requests();
+  std::vector<std::vector<char>> kept(static_cast<std::size_t>(comm_.size()));
+  std::size_t next = particles.owned;
+  for (Link& link : receives_) {
+    const std::size_t begin = next - particles.owned;
+    PackBuffer buffer(kept[static_cast<std::size_t>(link.rank)]);
+    for (std::size_t k = 0; k < link.count; ++k) {
+      if (!needed[link.begin + k]) continue;
+      const std::size_t old = particles.owned + link.begin + k;
+      buffer.put(static_cast<std::int32_t>(k));
+      particles.record[next] = particles.record[old];
+      particles.id[next] = particles.id[old];
+      particles.material[next] = particles.material[old];
+      ++next;
+    }
+    link.begin = begin;
+    link.count = next - particles.owned - begin;
+  }
+  particles.record.resize(next);
+  particles.id.resize(next);
+  particles.material.resize(next);
+  std::erase_if(receives_, [](const Link& link) { return link.count == 0; });
+  keep_sends(comm_.exchange(kept));
+  open_requests();
+}
+
+/// `kept`: by rank, which of the particles sent there it wants.
+void GhostExchange::keep_sends(const std::vector<std::vector<char>>& kept) {
+  std::vector<std::size_t> index;
+  for (Link& link : sends_) {
+    const std::size_t begin = index.size();
+    for (UnpackBuffer buffer(kept[static_cast<std::size_t>(link.rank)]); !buffer.at_end();) {
+      index.push_back(send_index_[link.begin + static_cast<std::size_t>(buffer.get<std::int32_t>())]);
+    }
+    link.begin = begin;
+    link.count = index.size() - begin;
+  }
+  send_index_ = std::move(index);
+  std::erase_if(sends_, [](const Link& link) { return link.count == 0; });
 }
 
 void GhostExchange::open_requests() {

@@ -32,6 +32,10 @@ class GhostExchange {
   /// returns the outer reach of every particle, owned and ghost, in m.
   std::vector<double> set_up(const Decomposition& decomposition, const SkinRule& rule, Particles& particles);
 
+  /// Collective. Drops the ghosts that are not `needed` (one entry per ghost), here and from what travels; the others
+  /// keep their order. A rank's shell is as thick as its longest reach asks for, but few particles have that reach.
+  void keep(const std::vector<bool>& needed, Particles& particles);
+
   /// Sends the motion of the owned particles that are ghosts elsewhere, and starts to receive.
   void start(const Particles& particles);
   /// Waits for the motion of this rank's ghosts and stores it.
@@ -44,6 +48,7 @@ class GhostExchange {
     std::size_t begin;  ///< into send_index_ or, when receiving, into the ghosts
     std::size_t count;
   };
+  void keep_sends(const std::vector<std::vector<char>>& kept);
   void open_requests();
   void free_requests();
 

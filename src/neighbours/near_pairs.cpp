@@ -14,8 +14,6 @@
 namespace repose {
 namespace {
 
-using Pair = std::array<std::int32_t, 2>;
-
 struct Sorted {
   std::uint64_t cell;
   std::int32_t index;
@@ -142,27 +140,27 @@ std::vector<std::vector<std::int32_t>> levels_of(std::span<const double> reach) 
 }
 
 /// In the order of the first index.
-std::vector<Pair> sort_by_first(const std::vector<Pair>& pairs, std::size_t particles) {
+std::vector<IndexPair> sort_by_first(const std::vector<IndexPair>& pairs, std::size_t particles) {
   std::vector<std::size_t> next(particles + 1, 0);
-  for (const Pair& pair : pairs) ++next[static_cast<std::size_t>(pair[0]) + 1];
+  for (const IndexPair& pair : pairs) ++next[static_cast<std::size_t>(pair[0]) + 1];
   for (std::size_t i = 0; i < particles; ++i) next[i + 1] += next[i];
-  std::vector<Pair> sorted(pairs.size());
-  for (const Pair& pair : pairs) sorted[next[static_cast<std::size_t>(pair[0])]++] = pair;
+  std::vector<IndexPair> sorted(pairs.size());
+  for (const IndexPair& pair : pairs) sorted[next[static_cast<std::size_t>(pair[0])]++] = pair;
   return sorted;
 }
 
 }  // namespace
 
-std::vector<Pair> near_pairs(std::span<const ParticleRecord> particles, std::span<const double> reach,
-                             std::size_t owned) {
-  std::vector<Pair> pairs;
+std::vector<IndexPair> near_pairs(std::span<const ParticleRecord> particles, std::span<const double> reach,
+                                  std::size_t owned) {
+  std::vector<IndexPair> pairs;
   if (reach.empty()) return pairs;
   Vec3 origin = particles[0].position;
   for (const ParticleRecord& p : particles) {
     origin = {std::min(origin.x, p.position.x), std::min(origin.y, p.position.y), std::min(origin.z, p.position.z)};
   }
   const auto visit = [&](const Sorted& a, const Sorted& b) {
-    const Pair pair = {std::min(a.index, b.index), std::max(a.index, b.index)};
+    const IndexPair pair = {std::min(a.index, b.index), std::max(a.index, b.index)};
     if (static_cast<std::size_t>(pair[0]) < owned) pairs.push_back(pair);
   };
   const std::vector<std::vector<std::int32_t>> levels = levels_of(reach);
@@ -178,6 +176,23 @@ std::vector<Pair> near_pairs(std::span<const ParticleRecord> particles, std::spa
     sweep(sort_by_cell(cells, particles, reach, lower), members, all_columns, visit);
   }
   return sort_by_first(pairs, particles.size());
+}
+
+std::vector<bool> ghosts_in(std::span<const IndexPair> pairs, std::size_t owned, std::size_t total) {
+  std::vector<bool> found(total - owned, false);
+  for (const auto& [i, j] : pairs) {
+    if (static_cast<std::size_t>(j) >= owned) found[static_cast<std::size_t>(j) - owned] = true;
+  }
+  return found;
+}
+
+void drop_ghosts(const std::vector<bool>& needed, std::size_t owned, std::span<IndexPair> pairs) {
+  std::vector<std::int32_t> place(needed.size());
+  auto next = static_cast<std::int32_t>(owned);
+  for (std::size_t k = 0; k < needed.size(); ++k) place[k] = needed[k] ? next++ : -1;
+  for (auto& [i, j] : pairs) {
+    if (static_cast<std::size_t>(j) >= owned) j = place[static_cast<std::size_t>(j) - owned];
+  }
 }
 
 }  // namespace repose

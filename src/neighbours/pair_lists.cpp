@@ -1,7 +1,5 @@
 #include "neighbours/pair_lists.h"
 
-#include "neighbours/near_pairs.h"
-
 namespace repose {
 namespace {
 
@@ -55,9 +53,9 @@ PairGroup& PairLists::group_for(const Particles& particles, std::size_t first, s
       .material_first = a, .material_second = b, .interior = interior, .pairs = {}, .blocks = {}, .fetch = {}});
 }
 
-void PairLists::build(const Particles& particles, std::span<const double> reach, const Csr<PairMemory>& memory) {
+void PairLists::build(const Particles& particles, std::span<const IndexPair> pairs, const Csr<PairMemory>& memory) {
   groups_.clear();
-  for (const auto& [i, j] : near_pairs(std::span(particles.record).first(reach.size()), reach, particles.owned)) {
+  for (const auto& [i, j] : pairs) {
     const bool i_first = particles.id[index(i)] < particles.id[index(j)];
     const std::int32_t first = i_first ? i : j;
     const std::int32_t second = i_first ? j : i;

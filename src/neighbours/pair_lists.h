@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "neighbours/contact_block.h"
+#include "neighbours/near_pairs.h"
 #include "scene/contact_memory.h"
 #include "scene/particles.h"
 #include "scene/reach.h"
@@ -31,10 +32,9 @@ struct PairGroup {
 /// The outer and inner neighbour lists of one rank, with the histories of its pair contacts.
 class PairLists {
  public:
-  /// Lists all pairs with at least one owned particle that are closer than the sum of their reaches (one entry per
-  /// particle, m), and gives them the histories that the owned particles remember. The inner lists are empty
-  /// afterwards.
-  void build(const Particles& particles, std::span<const double> reach, const Csr<PairMemory>& memory);
+  /// Lists the pairs and gives them the histories that the owned particles remember. The inner lists hold only those
+  /// that have one afterwards.
+  void build(const Particles& particles, std::span<const IndexPair> pairs, const Csr<PairMemory>& memory);
 
   /// Refills the inner lists with the listed pairs that are closer than the sum of their reaches by `rule`; histories
   /// stay.

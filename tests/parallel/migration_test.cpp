@@ -215,6 +215,28 @@ TEST_F(Ghosts, MotionArrivesEveryTime) {
   }
 }
 
+TEST_F(Ghosts, OnlyThoseThatAreKeptTravel) {
+  Shell shell(world, 400);
+  Particles& p = shell.particles;
+  std::vector<bool> needed;
+  std::vector<std::int64_t> expected(p.id.begin(), p.id.begin() + static_cast<std::ptrdiff_t>(p.owned));
+  for (std::size_t i = p.owned; i < p.total(); ++i) {
+    needed.push_back((p.id[i] + world.rank()) % 3 == 0);  // the ranks want different ones
+    if (needed.back()) expected.push_back(p.id[i]);
+  }
+  shell.ghosts.keep(needed, p);
+  EXPECT_EQ(p.id, expected);
+  const auto spin = [](std::int64_t id) { return Vec3{1.0, static_cast<double>(id), 0.5}; };
+  for (std::size_t i = 0; i < p.owned; ++i) p.record[i].spin = spin(p.id[i]);
+  shell.ghosts.start(p);
+  shell.ghosts.finish(p);
+  for (std::size_t i = 0; i < p.total(); ++i) {
+    EXPECT_EQ(p.record[i].spin, spin(p.id[i]));
+    EXPECT_EQ(p.record[i].radius, sample(p.id[i]).record.radius);
+    EXPECT_EQ(p.material[i], sample(p.id[i]).material);
+  }
+}
+
 TEST_F(Ghosts, CanBeSetUpAgain) {
   Shell shell(world, 400);
   for (int round = 0; round < 4; ++round) {

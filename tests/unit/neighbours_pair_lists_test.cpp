@@ -35,12 +35,20 @@ TEST(NearPairs, CrossTheCellsAtTheEndsOfALargeDomain) {
   EXPECT_EQ(pairs, (std::vector<std::array<std::int32_t, 2>>{{1, 2}, {3, 4}}));
 }
 
+TEST(NearPairs, DropGhostsThatNobodyIsNear) {
+  std::vector<IndexPair> pairs = {{0, 1}, {0, 5}, {1, 3}, {1, 5}};
+  const std::vector<bool> needed = ghosts_in(pairs, 2, 6);
+  EXPECT_EQ(needed, (std::vector<bool>{false, true, false, true}));
+  drop_ghosts(needed, 2, pairs);
+  EXPECT_EQ(pairs, (std::vector<IndexPair>{{0, 1}, {0, 3}, {1, 2}, {1, 3}}));
+}
+
 TEST(PairLists, OuterListHoldsEachPairOnce) {
   for (const CloudOptions& options : clouds()) {
     for (std::uint64_t seed = 31; seed < 34; ++seed) {
       const Particles p = random_cloud(seed, options);
       PairLists lists;
-      lists.build(p, reaches(p, outer), nothing(p.owned));
+      lists.build(p, listed(p, outer), nothing(p.owned));
       const PairCount expected = brute_force(p, outer);
       EXPECT_EQ(outer_pairs(p, lists), expected);
       EXPECT_EQ(lists.listed(), expected.size());
@@ -53,7 +61,7 @@ TEST(PairLists, InnerListHoldsEachNearPairOnce) {
   for (const CloudOptions& options : clouds()) {
     const Particles p = random_cloud(35, options);
     PairLists lists;
-    lists.build(p, reaches(p, outer), nothing(p.owned));
+    lists.build(p, listed(p, outer), nothing(p.owned));
     lists.select_near(p, inner);
     EXPECT_EQ(inner_pairs(p, lists), brute_force(p, inner));
     lists.select_near(p, outer);
@@ -74,7 +82,7 @@ TEST(PairLists, TheSamplesHavePairs) {
 TEST(PairLists, GroupsShareMaterialsAndKeepTheGhostsApart) {
   const Particles p = random_cloud(36, clouds()[2]);
   PairLists lists;
-  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.build(p, listed(p, outer), nothing(p.owned));
   lists.select_near(p, inner);
   EXPECT_EQ(lists.groups().size(), 8U);  // two materials in either place, interior or not
   for (const PairGroup& group : lists.groups()) {
@@ -92,7 +100,7 @@ TEST(PairLists, GroupsShareMaterialsAndKeepTheGhostsApart) {
 TEST(PairLists, UnusedLanesNameTheDummies) {
   const Particles p = random_cloud(37, clouds()[1]);
   PairLists lists;
-  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.build(p, listed(p, outer), nothing(p.owned));
   lists.select_near(p, inner);
   for (const PairGroup& group : lists.groups()) {
     ASSERT_EQ(group.blocks.size(), (group.lanes + block_lanes - 1) / block_lanes);
@@ -140,7 +148,7 @@ std::size_t faithful_lanes(const Particles& p, const PairLists& lists) {
 TEST(PairLists, HistoriesSurviveANewSelection) {
   const Particles p = random_cloud(41, clouds()[2]);
   PairLists lists;
-  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.build(p, listed(p, outer), nothing(p.owned));
   lists.select_near(p, inner);
   give_histories(p, lists);
   const std::size_t touching = lists.lanes();
@@ -156,7 +164,7 @@ TEST(PairLists, HistoriesSurviveANewSelection) {
 TEST(PairLists, HistoriesSurviveARebuildInAnotherOrder) {
   Particles p = random_cloud(42, clouds()[2]);
   PairLists lists;
-  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.build(p, listed(p, outer), nothing(p.owned));
   lists.select_near(p, inner);
   give_histories(p, lists);
   const std::size_t touching = lists.lanes();
@@ -173,7 +181,7 @@ TEST(PairLists, HistoriesSurviveARebuildInAnotherOrder) {
     shuffled.material[i] = p.material[order[i]];
   }
   PairLists again;
-  again.build(shuffled, reaches(shuffled, outer), memory);
+  again.build(shuffled, listed(shuffled, outer), memory);
   EXPECT_EQ(again.lanes(), touching);  // those that remember, before any selection
   EXPECT_EQ(faithful_lanes(shuffled, again), touching);
   again.select_near(shuffled, inner);
@@ -184,7 +192,7 @@ TEST(PairLists, HistoriesSurviveARebuildInAnotherOrder) {
 TEST(PairLists, MemoryGoesToEveryOwnedPartner) {
   const Particles p = random_cloud(43, clouds()[1]);
   PairLists lists;
-  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.build(p, listed(p, outer), nothing(p.owned));
   lists.select_near(p, inner);
   give_histories(p, lists);
   const Csr<PairMemory> memory = lists.memory(p);
@@ -206,7 +214,7 @@ TEST(PairLists, MemoryGoesToEveryOwnedPartner) {
 TEST(PairLists, BlankHistoriesAreNotRemembered) {
   const Particles p = random_cloud(44, clouds()[1]);
   PairLists lists;
-  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.build(p, listed(p, outer), nothing(p.owned));
   lists.select_near(p, inner);
   EXPECT_TRUE(lists.memory(p).items.empty());
 }
@@ -214,7 +222,7 @@ TEST(PairLists, BlankHistoriesAreNotRemembered) {
 TEST(PairLists, CostCountsEachPairOnce) {
   const Particles p = random_cloud(45, clouds()[1]);
   PairLists lists;
-  lists.build(p, reaches(p, outer), nothing(p.owned));
+  lists.build(p, listed(p, outer), nothing(p.owned));
   lists.select_near(p, inner);
   std::int64_t total = 0;
   for (const std::int64_t pairs : lists.pairs_of_owned(p)) total += pairs;

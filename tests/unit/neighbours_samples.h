@@ -43,6 +43,10 @@ inline std::vector<double> reaches(const Particles& p, const SkinRule& rule) {
   return reach;
 }
 
+inline std::vector<IndexPair> listed(const Particles& p, const SkinRule& rule) {
+  return near_pairs(std::span(p.record).first(p.total()), reaches(p, rule), p.owned);
+}
+
 using IdPair = std::pair<std::int64_t, std::int64_t>;
 
 /// How often each pair of ids (the lower first) occurs.

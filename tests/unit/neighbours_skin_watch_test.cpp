@@ -128,7 +128,7 @@ TEST(SkinWatch, NoContactIsEverMissed) {
   SkinWatch watch(inner, outer);
   const Csr<PairMemory> nothing = Csr<PairMemory>::empty(p.owned);
   const auto rebuild = [&] {
-    lists.build(p, reaches(p, outer), nothing);
+    lists.build(p, listed(p, outer), nothing);
     lists.select_near(p, inner);
     watch = watching(p);
   };

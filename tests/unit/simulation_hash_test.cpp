@@ -22,7 +22,8 @@ struct State {
 
   std::string hash() {
     const std::vector<double> reach(particles.owned, 1.5 * radius);
-    pairs.build(particles, reach, pair_memory);
+    pairs.build(particles, near_pairs(std::span(particles.record).first(particles.total()), reach, particles.owned),
+                pair_memory);
     wall_contacts.build(particles, walls, reach, wall_memory);
     return state_hash(Communicator(MPI_COMM_WORLD), particles, pairs, wall_contacts);
   }

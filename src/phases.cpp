@@ -25,16 +25,19 @@ Phase::Phase(const PhaseDeck& deck, Simulation& simulation)
       first_step_(simulation.steps()),
       least_(steps_for(deck.min_time, simulation.time_step().step)),
       longest_(longest_steps(deck, simulation.time_step().step)) {
+  simulation.begin_phase(deck.name);
   for (const std::string& wall : deck.remove_walls) simulation.set_wall_present(wall, false);
   for (const std::string& wall : deck.add_walls) simulation.set_wall_present(wall, true);
 }
 
-std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::int64_t check_every) const {
+std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::int64_t check_every,
+                                           bool onset_seen) const {
   const std::int64_t done = steps_done(simulation);
   if (deck_.until == PhaseUntil::kinetic_energy && done >= least_ && simulation.steps() % check_every == 0) {
     const double mean = mean_kinetic_energy(simulation.comm(), simulation.materials(), simulation.particles());
     if (mean < deck_.kinetic_energy) return "kinetic_energy";
   }
+  if (deck_.until == PhaseUntil::tilt_onset && onset_seen) return "tilt_onset";
   if (done < longest_) return {};
   const double dt = simulation.time_step().step;
   if (deck_.until == PhaseUntil::time && steps_for(deck_.time, dt) <= done) return "time";

@@ -17,12 +17,14 @@ std::int64_t longest_steps(const PhaseDeck& phase, double timestep);
 /// One phase of a run: changes the walls at its start and says when it is over.
 class Phase {
  public:
-  /// Collective. Adds and removes the phase's walls.
+  /// Collective. Adds and removes the phase's walls and starts its motions.
   Phase(const PhaseDeck& deck, Simulation& simulation);
 
-  /// Collective. Empty while the phase goes on; else the condition that ended it: "kinetic_energy", "time", "steps" or
-  /// "max_time". Energies are looked at every `check_every` steps.
-  std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every) const;
+  /// Collective. Empty while the phase goes on; else the condition that ended it: "kinetic_energy", "time", "steps",
+  /// "tilt_onset" or "max_time". Energies are looked at every `check_every` steps; whether the onset of motion has been
+  /// seen the caller knows.
+  std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every,
+                                      bool onset_seen = false) const;
 
   std::int64_t steps_done(const Simulation& simulation) const { return simulation.steps() - first_step_; }
   std::int64_t steps_left(const Simulation& simulation) const { return longest_ - steps_done(simulation); }

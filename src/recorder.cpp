@@ -10,6 +10,7 @@
 #include <sys/resource.h>
 
 #include "base/error.h"
+#include "incline.h"
 #include "measurement/discharged_mass.h"
 #include "measurement/energies.h"
 #include "measurement/state_hash.h"
@@ -72,13 +73,17 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options)
     series_ = std::make_unique<TimeSeries>(path("series.csv"), series_columns);
     if (deck.output.trace) trace_ = std::make_unique<Trace>(path("trace.csv"));
   });
+  if (!deck.walls.empty()) wall_loads_.emplace(simulation, path("walls.csv"));
+  if (deck.surface_angle.enabled) surface_angle_.emplace(simulation, path("surface_angle.csv"));
+  if (deck.tilt_onset.enabled) tilt_onset_.emplace(deck.tilt_onset);
   inside_ = inside(simulation);
   if (deck.output.trace) write_trace(simulation);
 }
 
 /// What an earlier run has left in the same directory would pass for this one's.
 void Recorder::remove_earlier_results() const {
-  for (const char* name : {"summary.json", "silhouette.png", "run.hdf.series", "trace.csv"}) {
+  for (const char* name :
+       {"summary.json", "silhouette.png", "run.hdf.series", "trace.csv", "walls.csv", "surface_angle.csv"}) {
     std::filesystem::remove(path(name));
   }
   for (const auto& entry : std::filesystem::directory_iterator(options_.directory)) {
@@ -107,6 +112,7 @@ void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
     sample_discharge(simulation);
   }
   if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
+  if (tilt_onset_) sample_tilt_onset(simulation, *tilt_onset_);
 }
 
 Recorder::Due Recorder::due_at(std::int64_t step, const Deck& deck) const {
@@ -114,7 +120,8 @@ Recorder::Due Recorder::due_at(std::int64_t step, const Deck& deck) const {
           .check = step % deck.run.check_every == 0,
           .series = series_every_ > 0 && step % series_every_ == 0,
           .snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) ||
-                      std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end()};
+                      std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end(),
+          .surface_angle = surface_angle_ && surface_angle_->is_due(step)};
 }
 
 std::int64_t Recorder::steps_to_next(const Simulation& simulation) const {
@@ -133,9 +140,11 @@ void Recorder::steps_done(const Simulation& simulation, const Phase& phase) {
   if (due.check) {
     inside_ = inside(simulation);
     if (opened_) sample_discharge(simulation);
+    if (tilt_onset_) sample_tilt_onset(simulation, *tilt_onset_);
     report_progress(simulation, phase);
   }
   if (due.series) write_series_row(simulation, phase.deck().name);
+  if (due.surface_angle) surface_angle_->sample(simulation);
   if (due.snapshot) write_snapshot_now(simulation);
 }
 
@@ -161,7 +170,7 @@ void Recorder::write_series_row(const Simulation& simulation, const std::string&
   if (simulation.steps() == last_series_) return;
   last_series_ = simulation.steps();
   const Communicator& comm = simulation.comm();
-  const Energies e = measure_energies(comm, simulation.deck().gravity, simulation.materials(), simulation.particles(),
+  const Energies e = measure_energies(comm, simulation.gravity(), simulation.materials(), simulation.particles(),
                                       simulation.pairs(), simulation.walls(), simulation.wall_contacts());
   const ContactCount contacts =
       count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.walls(), simulation.wall_contacts());
@@ -175,6 +184,7 @@ void Recorder::write_series_row(const Simulation& simulation, const std::string&
       e.translational,    e.rotational,      e.gravitational,
       e.elastic,          discharged};
   agree_after_root(comm, [&] { series_->append(row); });
+  if (wall_loads_) wall_loads_->write(simulation);
 }
 
 void Recorder::write_trace(const Simulation& simulation) {
@@ -283,7 +293,7 @@ void Recorder::measure_cost(const Simulation& simulation, Summary& summary) cons
   summary.memory_bytes_per_particle = per_particle(simulation.memory_bytes());
 }
 
-Summary Recorder::finish(const Simulation& simulation) {
+Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file) {
   const Communicator& comm = simulation.comm();
   Summary s;
   measure_cost(simulation, s);
@@ -318,6 +328,8 @@ Summary Recorder::finish(const Simulation& simulation) {
     s.plugged = d.plugged;
   }
   if (simulation.deck().angle_of_repose.enabled && !s.plugged.value_or(false)) measure_pile(simulation, s);
+  if (surface_angle_) surface_angle_->summarise(s);
+  if (onset_seen()) summarise_tilt_onset(simulation, read_file, *tilt_onset_->onset(), s);
   s.wall_seconds = seconds_since(start_);
   s.particle_steps_per_second = particle_steps_ / s.wall_seconds;
   s.build = options_.build;

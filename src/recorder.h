@@ -7,6 +7,7 @@
 #include <string>
 
 #include "measurement/discharge.h"
+#include "measurement/tilt_onset.h"
 #include "output/build_info.h"
 #include "output/snapshot_series.h"
 #include "output/summary.h"
@@ -14,6 +15,8 @@
 #include "output/trace.h"
 #include "phases.h"
 #include "simulation.h"
+#include "surface_angle_series.h"
+#include "wall_load_series.h"
 
 namespace repose {
 
@@ -39,13 +42,14 @@ class Recorder {
   void phase_ended(const Simulation& simulation, const Phase& phase, const std::string& ended_by);
 
   /// Last snapshot, angle of repose and silhouette picture, summary.json. The summary is complete on rank 0.
-  Summary finish(const Simulation& simulation);
+  Summary finish(const Simulation& simulation, const ReadFile& read_file);
+  bool onset_seen() const { return tilt_onset_ && tilt_onset_->onset(); }
 
  private:
   /// What is to be done at a step.
   struct Due {
-    bool trace, check, series, snapshot;
-    bool anything() const { return trace || check || series || snapshot; }
+    bool trace, check, series, snapshot, surface_angle;
+    bool anything() const { return trace || check || series || snapshot || surface_angle; }
   };
   Due due_at(std::int64_t step, const Deck& deck) const;
   void remove_earlier_results() const;
@@ -70,6 +74,9 @@ class Recorder {
   std::string opening_phase_;        ///< the first that removes a wall; the first of all when none does
   bool opened_ = false;
   DischargeRecord discharge_;
+  std::optional<TiltOnset> tilt_onset_;
+  std::optional<SurfaceAngleSeries> surface_angle_;
+  std::optional<WallLoadSeries> wall_loads_;
   std::unique_ptr<TimeSeries> series_;  ///< rank 0
   std::unique_ptr<Trace> trace_;        ///< rank 0
   SnapshotSeries snapshots_;

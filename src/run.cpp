@@ -18,19 +18,19 @@ Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& rea
   for (const PhaseDeck& phase_deck : deck.phases) {
     const Phase phase(phase_deck, simulation);
     recorder.phase_begins(simulation, phase);
-    std::optional<std::string> ended_by = phase.ended_by(simulation, deck.run.check_every);
+    std::optional<std::string> ended_by = phase.ended_by(simulation, deck.run.check_every, recorder.onset_seen());
     while (!ended_by) {
       simulation.advance(std::min(phase.steps_left(simulation), recorder.steps_to_next(simulation)));
       if (const auto warning = simulation.take_warning(); warning && comm.is_root()) {
         fmt::print(stderr, "repose: warning: {}\n", *warning);
       }
       recorder.steps_done(simulation, phase);
-      ended_by = phase.ended_by(simulation, deck.run.check_every);
+      ended_by = phase.ended_by(simulation, deck.run.check_every, recorder.onset_seen());
     }
     simulation.check_guards();
     recorder.phase_ended(simulation, phase, *ended_by);
   }
-  return recorder.finish(simulation);
+  return recorder.finish(simulation, read_file);
 }
 
 }  // namespace repose

@@ -1,6 +1,7 @@
 #include "simulation.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -14,8 +15,8 @@
 namespace repose {
 namespace {
 
-constexpr double inner_horizon_steps = 32.0;   // steps at present speed that the inner skin covers
-constexpr double outer_horizon_steps = 320.0;  // the same of the outer skin
+constexpr std::int64_t inner_horizon_steps = 32;   // steps at present speed that the inner skin covers
+constexpr std::int64_t outer_horizon_steps = 320;  // the same of the outer skin
 
 }  // namespace
 
@@ -26,11 +27,15 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       materials_(deck),
       walls_(make_walls(deck, materials_)),
       decomposition_(comm.size()),
-      ghosts_(comm) {
+      ghosts_(comm),
+      gravity_(deck.gravity),
+      held_({}, {}) {
   const NewParticles all = insert_particles(deck_, walls_, read_file);
+  held_ = HeldParticles(deck_, all);
   time_step_ = choose_time_step(deck_, materials_, smallest_radii(all, materials_.size()), expected_speed(deck_, all));
-  watch_ = SkinWatch({deck_.neighbours.inner_skin, inner_horizon_steps * time_step_.step},
-                     {deck_.neighbours.skin, outer_horizon_steps * time_step_.step});
+  watch_ = SkinWatch({deck_.neighbours.inner_skin, static_cast<double>(inner_horizon_steps) * time_step_.step},
+                     {deck_.neighbours.skin, static_cast<double>(outer_horizon_steps) * time_step_.step});
+  set_wall_skins();
   insert(all);
   rebuild_lists();
   evaluate_forces(0.0);
@@ -61,15 +66,49 @@ void Simulation::advance(std::int64_t steps) {
   for (std::int64_t k = 0; k < steps; ++k) {
     clock_.enter(Stage::integration);
     const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
-    const StepNotes notes = halves(level_, deck_.gravity, dt, deck_.domain, watch_.inner_marks(), particles_);
-    if (notes.outside > parked_) count_leavers(notes.outside);
-    renew_lists(agreed_list_state(notes.skin_used_up));
+    const StepNotes notes = halves(level_, gravity_, dt, deck_.domain, watch_.inner_marks(), particles_);
+    move_scene();
+    if (notes.outside > parked_) count_leavers();
+    renew_lists(agreed_list_state(notes.skin_used_up || held_.skin_used_up(watch_.inner_marks(), particles_)));
     evaluate_forces(dt);
     ++steps_;
   }
   clock_.enter(Stage::integration);
-  step_second_half(level_, deck_.gravity, dt, particles_);
+  step_second_half(level_, gravity_, dt, particles_);
+  held_.hold(particles_);
   clock_.enter(Stage::output);
+}
+
+/// What moves by prescription, to the end of this step.
+void Simulation::move_scene() {
+  const double dt = time_step_.step;
+  held_.step(dt);
+  held_.hold(particles_);
+  for (Wall& wall : walls_) {
+    if (wall.motions.empty()) continue;
+    wall.motions.step();
+    place(wall, dt);
+  }
+  if (!tilt_.runs) return;
+  ++tilt_.steps;
+  gravity_ = turned(deck_.gravity, unit_vector(deck_.tilt.axis_direction), -tilt());
+}
+
+void Simulation::begin_phase(const std::string& name) {
+  held_.begin_phase(name);
+  for (Wall& wall : walls_) wall.motions.begin_phase(name);
+  const std::vector<std::string>& phases = deck_.tilt.phases;
+  tilt_.runs = deck_.tilt.enabled && (phases.empty() || std::find(phases.begin(), phases.end(), name) != phases.end());
+}
+
+/// Walls that travel have skins that last for as many steps as the particles' cover at present speed.
+void Simulation::set_wall_skins() {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    if (!walls_[w].travels) continue;
+    const double speed = greatest_speed(deck_.walls[w].motions, deck_.domain);
+    walls_[w].inner_skin = watch_.inner().horizon * speed;
+    walls_[w].outer_skin = watch_.outer().horizon * speed;
+  }
 }
 
 /// Lists that hold every contact of this step, and the ghosts on their way.
@@ -99,12 +138,14 @@ void Simulation::select_near() {
   pairs_.select_near(particles_, watch_.inner());
   wall_contacts_.select_near(particles_, walls_, watch_.inner());
   watch_.inner_selected(particles_);
+  inner_selected_at_ = steps_;
 }
 
-void Simulation::count_leavers(std::size_t outside) {
+void Simulation::count_leavers() {
   retire_leavers(deck_.domain, materials_, mass_unit_, particles_, left_);
   watch_.ignore_parked(particles_);
-  parked_ = outside;
+  parked_ = 0;
+  for (std::size_t i = 0; i < particles_.owned; ++i) parked_ += is_parked(particles_.record[i]) ? 1U : 0U;
 }
 
 /// What the lists need, agreed among the ranks together with whether any raised an alarm. A second reduction only when
@@ -112,12 +153,15 @@ void Simulation::count_leavers(std::size_t outside) {
 Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
   constexpr int moved = 1;
   constexpr int alarmed = 2;
-  const int here = !alarm_.empty() ? alarmed : inner_used_up ? moved : 0;
+  const bool walls_travel = std::any_of(walls_.begin(), walls_.end(), [](const Wall& w) { return w.travels; });
+  const bool inner_too_old = walls_travel && steps_ + 1 - inner_selected_at_ >= inner_horizon_steps;
+  const bool outer_too_old = walls_travel && steps_ + 1 - outer_listed_at_ > outer_horizon_steps - inner_horizon_steps;
+  const int here = !alarm_.empty() ? alarmed : inner_used_up || inner_too_old ? moved : 0;
   clock_.enter(Stage::agreement);
   const int worst = comm_.size() == 1 ? here : comm_.max(here);
   if (worst == alarmed) check_guards();
   if (worst == 0) return ListState::valid;
-  const int short_here = watch_.outer_is_too_short(particles_) ? 1 : 0;
+  const int short_here = outer_too_old || watch_.outer_is_too_short(particles_) ? 1 : 0;
   return comm_.max(short_here) != 0 ? ListState::outer_stale : ListState::inner_stale;
 }
 
@@ -128,9 +172,11 @@ void Simulation::rebuild_lists() {
   pairs_.clear();  // a large bed has no room for the old lists beside the new ones
   migrate(comm_, decomposition_, particles_, memory);
   set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
+  held_.list(particles_);
   check_time_step();
-  const std::vector<double> reach = ghosts_.set_up(decomposition_, watch_.outer(), particles_);
+  std::vector<double> reach = ghosts_.set_up(decomposition_, watch_.outer(), particles_);
   std::vector<IndexPair> near = near_pairs(particles_.record, reach, particles_.owned);
+  ignore_held(near, reach);
   const std::vector<bool> needed = ghosts_in(near, particles_.owned, particles_.total());
   ghosts_.keep(needed, particles_);
   drop_ghosts(needed, particles_.owned, near);
@@ -140,9 +186,21 @@ void Simulation::rebuild_lists() {
   wall_contacts_.build(particles_, walls_, reach, memory.walls);
   memory = {};
   watch_.outer_listed(particles_);
+  outer_listed_at_ = steps_;
   select_near();
   parked_ = 0;
   ++counters_.rebuilds;
+}
+
+/// Held particles feel neither one another nor walls.
+void Simulation::ignore_held(std::vector<IndexPair>& near, std::vector<double>& reach) const {
+  const auto is_held = [&](std::int32_t i) {
+    return materials_.is_held(particles_.material[static_cast<std::size_t>(i)]);
+  };
+  std::erase_if(near, [&](const IndexPair& pair) { return is_held(pair[0]) && is_held(pair[1]); });
+  for (std::size_t i = 0; i < particles_.owned; ++i) {
+    if (materials_.is_held(particles_.material[i])) reach[i] = -std::numeric_limits<double>::infinity();
+  }
 }
 
 /// A new decomposition when the busiest rank has more than its share, measured in counted particles and pairs.

@@ -11,6 +11,7 @@
 #include "domain/decomposition.h"
 #include "domain/exits.h"
 #include "domain/ghost_exchange.h"
+#include "integration/held_particles.h"
 #include "integration/time_step.h"
 #include "neighbours/pair_lists.h"
 #include "neighbours/skin_watch.h"
@@ -50,11 +51,18 @@ class Simulation {
   /// Adds or removes a named wall from the next evaluation of the forces on. Contacts with a removed wall are
   /// forgotten.
   void set_wall_present(const std::string& name, bool present);
+  /// Starts the motions and the tilt that belong to a phase, and stops the others.
+  void begin_phase(const std::string& name);
 
   const Communicator& comm() const { return comm_; }
   const Deck& deck() const { return deck_; }
   const Particles& particles() const { return particles_; }
   const MaterialTable& materials() const { return materials_; }
+  const Vec3& gravity() const { return gravity_; }  ///< as it points now
+  /// Angle in rad by which the apparatus has tilted.
+  double tilt() const { return static_cast<double>(tilt_.steps) * time_step_.step * tilt_rate(); }
+  bool is_tilting() const { return tilt_.runs; }
+  VectorLevel vector_level() const { return level_; }
   const MassUnit& mass_unit() const { return mass_unit_; }
   const PairLists& pairs() const { return pairs_; }
   const WallContacts& wall_contacts() const { return wall_contacts_; }
@@ -78,10 +86,14 @@ class Simulation {
   enum class ListState { valid, inner_stale, outer_stale };
 
   void insert(const NewParticles& all);
+  double tilt_rate() const { return deck_.tilt.enabled ? deck_.tilt.angular_velocity : 0.0; }
+  void set_wall_skins();
+  void move_scene();
   void rebuild_lists();
   void balance();
   void check_time_step();
-  void count_leavers(std::size_t outside);
+  void count_leavers();
+  void ignore_held(std::vector<IndexPair>& near, std::vector<double>& reach) const;
   ListState agreed_list_state(bool inner_used_up);
   void renew_lists(ListState state);
   void select_near();
@@ -101,6 +113,14 @@ class Simulation {
   Decomposition decomposition_;
   GhostExchange ghosts_;
   bool ghosts_on_their_way_ = false;
+  Vec3 gravity_;
+  struct {
+    std::int64_t steps = 0;
+    bool runs = false;
+  } tilt_;
+  HeldParticles held_;
+  std::int64_t outer_listed_at_ = 0;  ///< step
+  std::int64_t inner_selected_at_ = 0;
   SkinWatch watch_{{}, {}};
   PairLists pairs_;
   WallContacts wall_contacts_;

@@ -1,6 +1,7 @@
 #include "base/math.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace repose {
 
@@ -21,6 +22,35 @@ double log_reproducible(double x) {
   constexpr double ln2_low = 1.90821492927058770002e-10;
   const double e = exponent;
   return e * ln2_high + (2.0 * s + (2.0 * s * series + e * ln2_low));
+}
+
+SineCosine sin_cos_reproducible(double angle) {
+  // The nearest multiple of pi/2 goes off in three parts, of which the first two have 33 bits, so that their products
+  // with the whole number are exact.
+  constexpr double part1 = 0x1.921fb544p+0;
+  constexpr double part2 = 0x1.0b4611a6p-34;
+  constexpr double part3 = 0x1.3198a2e037073p-69;
+  const double quarters = std::floor(angle * (2.0 / pi) + 0.5);
+  const double x = ((angle - quarters * part1) - quarters * part2) - quarters * part3;
+  const double x2 = x * x;  // |x| <= pi/4: the series end below 1e-19
+  double sine = 0.0;
+  double cosine = 0.0;
+  for (int k = 18; k >= 2; k -= 2) {
+    sine = x2 / (k * (k + 1.0)) * (1.0 - sine);
+    cosine = x2 / (k * (k - 1.0)) * (1.0 - cosine);
+  }
+  sine = x - x * sine;
+  cosine = 1.0 - cosine;
+  switch (static_cast<std::int64_t>(quarters) & 3) {
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, -sine};
+    case 2:
+      return {-sine, -cosine};
+    default:
+      return {-cosine, sine};
+  }
 }
 
 double fifth_root(double x) {

@@ -8,6 +8,13 @@ inline constexpr double pi = 3.141592653589793;
 /// with fused multiply-adds at load time, whose results differ.)
 double log_reproducible(double x);
 
+/// Sine and cosine of an angle in rad, |angle| < 1e6, within 2 ulp of the greater of the two, by arithmetic only.
+struct SineCosine {
+  double sine;
+  double cosine;
+};
+SineCosine sin_cos_reproducible(double angle);
+
 /// x^(1/5) for x > 0, within 2 ulp, by arithmetic only (Newton's iteration from a power of two).
 double fifth_root(double x);
 

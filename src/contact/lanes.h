@@ -13,6 +13,15 @@
 
 namespace repose {
 
+/// Asks for what the loops read and write of a particle.
+[[gnu::always_inline]] inline void fetch_ahead(std::int32_t particle, const ParticleRecord* records,
+                                               const ForceSum* sums) {
+  const auto* record = reinterpret_cast<const char*>(records + particle);
+  __builtin_prefetch(record);
+  __builtin_prefetch(record + 64);
+  __builtin_prefetch(sums + particle, 1);
+}
+
 /// One particle of each of four lanes.
 struct QuadParticle {
   QuadVec3 position, velocity, spin;

@@ -22,10 +22,7 @@ class Prefetch {
     constexpr std::size_t bytes = sizeof(ContactBlock) / parts;
     for (std::size_t at = k * bytes; at < (k + 1) * bytes; at += 64) __builtin_prefetch(line_ + at, 1);
     for (std::size_t p = k * particles_.size() / parts; p < (k + 1) * particles_.size() / parts; ++p) {
-      const auto* record = reinterpret_cast<const char*>(records_ + particles_[p]);
-      __builtin_prefetch(record);
-      __builtin_prefetch(record + 64);
-      __builtin_prefetch(sums_ + particles_[p], 1);
+      fetch_ahead(particles_[p], records_, sums_);
     }
   }
 

@@ -23,7 +23,8 @@ bool is_at_one_face(std::span<const Wall> walls, const TouchBuffer& touches, std
   if (touches.size() != 1 || !touches[0].on_face || memory.size() > 1) return false;
   const WallTouch& t = touches[0];
   if (!memory.empty() && (memory[0].wall != t.wall || memory[0].feature != t.feature)) return false;
-  return margin(walls[static_cast<std::size_t>(t.wall)], t.feature, position) > 1.001 * skin;
+  const Wall& wall = walls[static_cast<std::size_t>(t.wall)];
+  return margin(wall, t.feature, position) > 1.001 * (skin + wall.inner_skin);
 }
 
 /// As if no particle had ever touched it.
@@ -52,7 +53,7 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const auto first = static_cast<std::int32_t>(candidate_walls_.size());
     for (std::size_t w = 0; w < walls.size(); ++w) {
-      if (distance(walls[w], particles.record[i].position) < reach[i]) {
+      if (distance(walls[w], particles.record[i].position) < reach[i] + walls[w].outer_skin) {
         candidate_walls_.push_back(static_cast<std::int32_t>(w));
       }
     }
@@ -88,8 +89,9 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
     for (std::int32_t k = 0; k < candidate.walls; ++k) {
       const std::int32_t w = candidate_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
       const Wall& wall = walls[static_cast<std::size_t>(w)];
-      const bool near = touches.overflowed() ? distance(wall, p.position) < p.radius + skin
-                                             : find_touches(wall, w, p.position, p.radius + skin, touches) > 0;
+      const double range = p.radius + skin + wall.inner_skin;
+      const bool near = touches.overflowed() ? distance(wall, p.position) < range
+                                             : find_touches(wall, w, p.position, range, touches) > 0;
       if (near) near_walls_.push_back(w);
     }
     const auto count = static_cast<std::int32_t>(near_walls_.size()) - first;
@@ -189,20 +191,18 @@ WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls
                                   double dt, double max_overlap, Particles& particles) {
   WallAlarms alarms;
   find_contacts(walls, particles, alarms);
-  of_materials_.resize(materials.size() * materials.size());
-  for (auto& chosen : of_materials_) chosen.clear();
+  of_law_.resize(materials.size() * walls.size());
+  for (auto& chosen : of_law_) chosen.clear();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    const auto particle = static_cast<std::size_t>(particles.material[static_cast<std::size_t>(contacts_[k].particle)]);
-    const auto wall = static_cast<std::size_t>(walls[static_cast<std::size_t>(contacts_[k].wall)].material);
-    of_materials_[particle * materials.size() + wall].push_back(static_cast<std::int32_t>(k));
+    const auto material = static_cast<std::size_t>(particles.material[static_cast<std::size_t>(contacts_[k].particle)]);
+    of_law_[material * walls.size() + static_cast<std::size_t>(contacts_[k].wall)].push_back(
+        static_cast<std::int32_t>(k));
   }
-  for (std::size_t k = 0; k < of_materials_.size(); ++k) {
-    if (of_materials_[k].empty()) continue;
-    const PairParameters& pair = materials.pair(k / materials.size(), k % materials.size());
-    const ContactAlarms here = evaluate_walls(level, contacts_, of_materials_[k], pair, dt, max_overlap,
-                                              particles.record.data(), particles.sum.data());
-    alarms.too_deep += here.too_deep;
-    alarms.out_of_range += here.out_of_range;
+  for (std::size_t k = 0; k < of_law_.size(); ++k) {
+    if (of_law_[k].empty()) continue;
+    const auto material = static_cast<std::int32_t>(k / walls.size());
+    const WallLaw law = wall_law(materials, material, walls[k % walls.size()], dt, max_overlap);
+    alarms += evaluate_walls(level, law, contacts_, of_law_[k], particles.record.data(), particles.sum.data());
   }
   for (FaceGroup& group : faces_) {
     const Wall& wall = walls[static_cast<std::size_t>(group.wall)];
@@ -210,12 +210,9 @@ WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls
       forget(group);
       continue;
     }
-    const PairParameters& pair =
-        materials.pair(static_cast<std::size_t>(group.material), static_cast<std::size_t>(wall.material));
-    const ContactAlarms here =
-        evaluate_faces(level, group, pair, dt, max_overlap, particles.record.data(), particles.sum.data());
-    alarms.too_deep += here.too_deep;
-    alarms.out_of_range += here.out_of_range;
+    if (wall.travels) group.face = face_of(wall, group.feature);
+    const WallLaw law = wall_law(materials, group.material, wall, dt, max_overlap);
+    alarms += evaluate_faces(level, law, group, particles.record.data(), particles.sum.data());
   }
   return alarms;
 }

@@ -66,9 +66,9 @@ class WallContacts {
   std::vector<FaceGroup> faces_;  ///< what select_near chose of them
   std::vector<Candidate> near_;   ///< the rest of it
   std::vector<std::int32_t> near_walls_;
-  std::vector<WallContact> contacts_;                    ///< those of near_, in its order
-  std::vector<WallContact> before_;                      ///< those of the step before, while evaluate runs
-  std::vector<std::vector<std::int32_t>> of_materials_;  ///< contacts_ by material of the particle and of the wall
+  std::vector<WallContact> contacts_;              ///< those of near_, in its order
+  std::vector<WallContact> before_;                ///< those of the step before, while evaluate runs
+  std::vector<std::vector<std::int32_t>> of_law_;  ///< contacts_ by material of the particle and by wall
 };
 
 }  // namespace repose

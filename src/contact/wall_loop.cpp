@@ -29,17 +29,6 @@ struct LaneWalls {
   }
 }
 
-/// Asks for the records and sums of a block's particles.
-[[gnu::always_inline]] inline void fetch_ahead(const ContactBlock& block, const ParticleRecord* records,
-                                               const ForceSum* sums) {
-  for (const std::int32_t particle : block.first) {
-    const auto* record = reinterpret_cast<const char*>(records + particle);
-    __builtin_prefetch(record);
-    __builtin_prefetch(record + 64);
-    __builtin_prefetch(sums + particle, 1);
-  }
-}
-
 /// Lanes from `used` on, and parked particles, get a distance at which they do not touch.
 template <class FaceShape>
 [[gnu::always_inline]] inline void touch_face(const FaceShape& face_in, std::size_t used, const ParticleRecord* records,
@@ -56,28 +45,45 @@ template <class FaceShape>
   }
 }
 
-/// Returns the number of contacts deeper than `max_overlap` times the radius.
-[[gnu::always_inline]] inline std::int64_t evaluate_geometry(const ParticleRecord* records, const ContactBlock& block,
-                                                             const LaneWalls& walls, double density, double max_overlap,
+/// Velocity and spin of particles relative to a wall's surface.
+struct SeenFromWall {
+  QuadVec3 velocity;  ///< at the touched point, the particle's spin left out
+  QuadVec3 spin;
+};
+
+[[gnu::always_inline]] inline SeenFromWall see_from(const SurfaceMotion* surface, const QuadParticle& p,
+                                                    const Quad& distance, const QuadVec3& n) {
+  if (surface == nullptr) return {p.velocity, p.spin};
+  const auto turning = broadcast<Quad>(surface->angular_velocity);
+  const QuadVec3 touched = p.position - distance * n;
+  return {p.velocity - (broadcast<Quad>(surface->velocity) + cross(turning, touched)), p.spin - turning};
+}
+
+/// Returns the number of contacts deeper than the bound.
+[[gnu::always_inline]] inline std::int64_t evaluate_geometry(const WallLaw& law, const ParticleRecord* records,
+                                                             const ContactBlock& block, const LaneWalls& walls,
                                                              LaneGeometry& contact, LaneBody& body) {
+  const double density = law.pair.density_first;
+  const double max_overlap = law.max_overlap;
   const Quad none = {};
   QuadInt deep = {};
   for (int k = 0; k < block_lanes; k += 4) {
     const QuadParticle p = gather(records, block.first + k);
     const Quad distance = load(walls.distance + k);
     const QuadVec3 n = load(walls.normal, k);
+    const SeenFromWall seen = see_from(law.surface, p, distance, n);
     const Quad gap = p.radius - distance;
     const Quad overlap = gap > none ? gap : none;
     const Quad arm = p.radius - 0.5 * overlap;
-    const Quad v_n = dot(p.velocity, n);
+    const Quad v_n = dot(seen.velocity, n);
     store(n, contact.normal, k);
     store(overlap, contact.overlap + k);
     store(p.radius, contact.radius_eff + k);
     store(sphere_mass(p.radius, density), contact.mass_eff + k);
     store(v_n, contact.normal_velocity + k);
-    store(p.velocity - v_n * n - arm * cross(p.spin, n), contact.tangential_velocity, k);
+    store(seen.velocity - v_n * n - arm * cross(p.spin, n), contact.tangential_velocity, k);
     // The thesis's program scales the rotation at a wall by the lever arm over the distance.
-    store((arm / distance) * without_normal_part(p.spin, n), contact.rolling_velocity, k);
+    store((arm / distance) * without_normal_part(seen.spin, n), contact.rolling_velocity, k);
     store(arm, body.arm + k);
     body.set_scales(k, p);
     deep += overlap > max_overlap * p.radius;
@@ -85,21 +91,26 @@ template <class FaceShape>
   return count(deep);
 }
 
-[[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<WallContact> contacts,
+[[gnu::always_inline]] inline void evaluate_block(const WallLaw& law, const LaneWalls& walls,
+                                                  const ParticleRecord* records, ContactBlock& block, ForceSum* sums,
+                                                  ContactAlarms& alarms) {
+  LaneGeometry contact;
+  LaneBody body;
+  alarms.too_deep += evaluate_geometry(law, records, block, walls, contact, body);
+  const std::uint64_t difference = evaluate_law(law.pair, law.dt, contact, body, nullptr, block, sums);
+  alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
+}
+
+[[gnu::always_inline]] inline ContactAlarms evaluate_body(const WallLaw& law, std::span<WallContact> contacts,
                                                           std::span<const std::int32_t> chosen,
-                                                          const PairParameters& pair, double dt, double max_overlap,
                                                           const ParticleRecord* records, ForceSum* sums) {
   ContactBlock block;
   LaneWalls walls;
-  LaneGeometry contact;
-  LaneBody body;
   ContactAlarms alarms;
   for (std::size_t begin = 0; begin < chosen.size(); begin += block_lanes) {
     const auto lanes = chosen.subspan(begin, std::min<std::size_t>(block_lanes, chosen.size() - begin));
     gather_contacts(contacts, lanes, records, block, walls);
-    alarms.too_deep += evaluate_geometry(records, block, walls, pair.density_first, max_overlap, contact, body);
-    const std::uint64_t difference = evaluate_law(pair, dt, contact, body, nullptr, block, sums);
-    alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
+    evaluate_block(law, walls, records, block, sums, alarms);
     for (std::size_t k = 0; k < lanes.size(); ++k) {
       contacts[static_cast<std::size_t>(lanes[k])].history = history(block, k);
     }
@@ -108,39 +119,33 @@ template <class FaceShape>
 }
 
 template <class FaceShape>
-[[gnu::always_inline]] inline ContactAlarms evaluate_face(const FaceShape& face, FaceGroup& group,
-                                                          const PairParameters& pair, double dt, double max_overlap,
+[[gnu::always_inline]] inline ContactAlarms evaluate_face(const WallLaw& law, const FaceShape& face, FaceGroup& group,
                                                           const ParticleRecord* records, ForceSum* sums) {
   LaneWalls walls;
-  LaneGeometry contact;
-  LaneBody body;
   ContactAlarms alarms;
   for (std::size_t n = 0; n < group.blocks.size(); ++n) {
     ContactBlock& block = group.blocks[n];
-    if (n + 1 < group.blocks.size()) fetch_ahead(group.blocks[n + 1], records, sums);
+    if (n + 1 < group.blocks.size()) {
+      for (const std::int32_t particle : group.blocks[n + 1].first) fetch_ahead(particle, records, sums);
+    }
     touch_face(face, group.lanes - n * block_lanes, records, block, walls);
-    alarms.too_deep += evaluate_geometry(records, block, walls, pair.density_first, max_overlap, contact, body);
-    const std::uint64_t difference = evaluate_law(pair, dt, contact, body, nullptr, block, sums);
-    alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
+    evaluate_block(law, walls, records, block, sums, alarms);
   }
   return alarms;
 }
 
 }  // namespace
 
-ContactAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts, std::span<const std::int32_t> chosen,
-                             const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
-                             ForceSum* sums) {
-  return at_level(
-      level, [&]() REPOSE_INLINE { return evaluate_body(contacts, chosen, pair, dt, max_overlap, records, sums); });
+ContactAlarms evaluate_walls(VectorLevel level, const WallLaw& law, std::span<WallContact> contacts,
+                             std::span<const std::int32_t> chosen, const ParticleRecord* records, ForceSum* sums) {
+  return at_level(level, [&]() REPOSE_INLINE { return evaluate_body(law, contacts, chosen, records, sums); });
 }
 
-ContactAlarms evaluate_faces(VectorLevel level, FaceGroup& group, const PairParameters& pair, double dt,
-                             double max_overlap, const ParticleRecord* records, ForceSum* sums) {
+ContactAlarms evaluate_faces(VectorLevel level, const WallLaw& law, FaceGroup& group, const ParticleRecord* records,
+                             ForceSum* sums) {
   return std::visit(
       [&](const auto& face) {
-        return at_level(
-            level, [&]() REPOSE_INLINE { return evaluate_face(face, group, pair, dt, max_overlap, records, sums); });
+        return at_level(level, [&]() REPOSE_INLINE { return evaluate_face(law, face, group, records, sums); });
       },
       group.face);
 }

@@ -10,7 +10,7 @@
 #include "scene/contact_memory.h"
 #include "scene/materials.h"
 #include "scene/particles.h"
-#include "scene/wall_face.h"
+#include "scene/wall.h"
 
 namespace repose {
 
@@ -25,12 +25,25 @@ struct WallContact {
   ContactHistory history;
 };
 
-/// Evaluates the contact law on those of `contacts` that `chosen` names, all of one pair of materials, and adds forces
-/// and torques to the sums of the particles. Histories advance by `dt` s. `max_overlap` is the bound as a share of the
-/// radius.
-ContactAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts, std::span<const std::int32_t> chosen,
-                             const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
-                             ForceSum* sums);
+/// What the contacts of one material with one wall have in common.
+struct WallLaw {
+  PairParameters pair;
+  double dt;                               ///< s, by which histories advance
+  double max_overlap;                      ///< bound, as a share of the radius
+  const SurfaceMotion* surface = nullptr;  ///< of the wall; null: it rests
+};
+
+/// Evaluates the contact law on those of `contacts` that `chosen` names, all of one material with one wall, and adds
+/// forces and torques to the sums of the particles.
+ContactAlarms evaluate_walls(VectorLevel level, const WallLaw& law, std::span<WallContact> contacts,
+                             std::span<const std::int32_t> chosen, const ParticleRecord* records, ForceSum* sums);
+
+/// The law of particles of `material` at a wall. Points into the wall.
+inline WallLaw wall_law(const MaterialTable& materials, std::int32_t material, const Wall& wall, double dt,
+                        double max_overlap) {
+  return {materials.pair(static_cast<std::size_t>(material), static_cast<std::size_t>(wall.material)), dt, max_overlap,
+          wall.motions.empty() ? nullptr : &wall.placement.motion};
+}
 
 /// Particles of one material near one face of a wall, and no other feature, in blocks whose second particles mean
 /// nothing. The rules for lanes are those of neighbour pairs: what does not touch holds zero history.
@@ -44,7 +57,7 @@ struct FaceGroup {
 };
 
 /// The same for all lanes of a group.
-ContactAlarms evaluate_faces(VectorLevel level, FaceGroup& group, const PairParameters& pair, double dt,
-                             double max_overlap, const ParticleRecord* records, ForceSum* sums);
+ContactAlarms evaluate_faces(VectorLevel level, const WallLaw& law, FaceGroup& group, const ParticleRecord* records,
+                             ForceSum* sums);
 
 }  // namespace repose

@@ -15,4 +15,7 @@ void check_wall_shapes(const Deck& deck, DeckErrors& errors);
 /// Conditions of the phases and the order in which they add and remove walls (a part of check_deck).
 void check_phases(const Deck& deck, DeckErrors& errors);
 
+/// Axes and phases of motions and of the tilt, and what the measurements of both need (a part of check_deck).
+void check_motions(const Deck& deck, DeckErrors& errors);
+
 }  // namespace repose

@@ -39,6 +39,20 @@ struct PairDeck {
   double rolling_friction = unset;
 };
 
+enum class MotionType { translation, oscillation, rotation };
+
+/// A prescribed motion of a wall or of a block of particles. It advances during its phases only.
+struct MotionDeck {
+  MotionType type = MotionType::translation;
+  Vec3 velocity;                       ///< translation
+  Vec3 amplitude;                      ///< oscillation: displacement amplitude x sin(2 pi frequency t)
+  double frequency = unset;            ///< oscillation
+  Vec3 axis_origin;                    ///< rotation
+  Vec3 axis_direction{0.0, 0.0, 1.0};  ///< rotation
+  double angular_velocity = unset;     ///< rotation, by the right-hand rule
+  std::vector<std::string> phases;     ///< empty: all
+};
+
 enum class WallType { profile, plane, disc, rectangle };
 
 struct WallDeck {
@@ -56,6 +70,7 @@ struct WallDeck {
   Vec3 corner;                                ///< rectangle
   Vec3 edge_u;                                ///< rectangle: from the corner
   Vec3 edge_v;                                ///< rectangle: from the corner, perpendicular to edge_u
+  std::vector<MotionDeck> motions;            ///< [[wall.motion]], the first one applied first
 };
 
 enum class ParticlesType { fill, csv };
@@ -78,7 +93,13 @@ struct ParticlesDeck {
   double jitter = 1.0;                         ///< fill: share of the free gap that a particle may be moved by
   Vec3 velocity;                               ///< fill: initial velocity
   std::string file;                            ///< csv: path relative to the deck
+  bool fixed = false;                          ///< held in place, of infinite mass
+  bool rotation_blocked = false;               ///< moves but never turns
+  std::vector<MotionDeck> motions;             ///< [[particles.motion]]: held on a prescribed path
 };
+
+/// Held on a prescribed path or in place, whatever force acts.
+inline bool is_held(const ParticlesDeck& block) { return block.fixed || !block.motions.empty(); }
 
 struct TimeDeck {
   double step = unset;  ///< given time step; default: from the criteria
@@ -87,7 +108,15 @@ struct TimeDeck {
   double expected_speed = unset;  ///< default: free fall over the scene's height
 };
 
-enum class PhaseUntil { kinetic_energy, time, steps };
+/// The apparatus tilts: gravity turns about an axis the other way.
+struct TiltDeck {
+  bool enabled = false;  ///< true when the deck has the section
+  Vec3 axis_direction{0.0, 1.0, 0.0};
+  double angular_velocity = unset;
+  std::vector<std::string> phases;  ///< empty: all
+};
+
+enum class PhaseUntil { kinetic_energy, time, steps, tilt_onset };
 
 struct PhaseDeck {
   std::string name;
@@ -122,6 +151,24 @@ struct AngleOfReposeDeck {
   double camera_height = unset;    ///< perspective: z of the camera
 };
 
+struct TiltOnsetDeck {
+  bool enabled = false;         ///< true when the deck has the section
+  std::int64_t particle = 0;    ///< id
+  std::string against;          ///< material of what it rests on
+  double displacement = unset;  ///< that is motion; default 0.001 of its radius
+  bool extrapolate = true;      ///< repeats the run at half the rate of tilt and extrapolates to none
+};
+
+struct SurfaceAngleDeck {
+  bool enabled = false;  ///< true when the deck has the section
+  Vec3 axis_origin;
+  Vec3 axis_direction{0.0, 1.0, 0.0};
+  double radius = unset;    ///< of the drum
+  double from = 0.0;        ///< time of the first sample
+  double interval = 0.01;   ///< time between samples
+  double half_width = 0.5;  ///< of the fitted part about the drum's axis, share of its radius
+};
+
 struct OutputDeck {
   double snapshot_interval = 0.0;  ///< 0: only the snapshots at snapshot_times and at the end
   std::vector<double> snapshot_times;
@@ -149,10 +196,13 @@ struct Deck {
   std::vector<PairDeck> pairs;           ///< [[pair]]
   std::vector<WallDeck> walls;           ///< [[wall]]
   std::vector<ParticlesDeck> particles;  ///< [[particles]]
+  TiltDeck tilt;
   TimeDeck time;
   std::vector<PhaseDeck> phases;      ///< [[phase]]
   DischargeDeck discharge;            ///< [measurement.discharge]
   AngleOfReposeDeck angle_of_repose;  ///< [measurement.angle_of_repose]
+  TiltOnsetDeck tilt_onset;           ///< [measurement.tilt_onset]
+  SurfaceAngleDeck surface_angle;     ///< [measurement.surface_angle]
   OutputDeck output;
   GuardsDeck guards;
   NeighboursDeck neighbours;

@@ -47,26 +47,31 @@ class Documenter {
   template <class S>
   void section(std::string_view name, S& value, const Presence& presence, std::string_view meaning) {
     begin(fmt::format("[{}{}]", group_, name), presence, meaning);
-    describe(*this, value);
+    inside(name, [&] { describe(*this, value); });
   }
 
   template <class S>
   void sections(std::string_view name, std::vector<S>&, const Presence& presence, std::string_view meaning) {
     begin(fmt::format("[[{}{}]]", group_, name), presence, meaning);
     S one;
-    describe(*this, one);
+    inside(name, [&] { describe(*this, one); });
   }
 
   template <class F>
   void group(std::string_view name, F&& visit) {
-    group_ = fmt::format("{}.", name);
-    visit(*this);
-    group_.clear();
+    inside(name, [&] { visit(*this); });
   }
 
   std::string text() const;
 
  private:
+  template <class F>
+  void inside(std::string_view name, F&& write) {
+    const std::string outer = group_;
+    group_ += fmt::format("{}.", name);
+    write();
+    group_ = outer;
+  }
   void begin(const std::string& title, const Presence& presence, std::string_view meaning) {
     groups_.push_back({fmt::format("{}  {}{}", title, meaning, presence.is_required ? " (required)" : ""), {}});
   }

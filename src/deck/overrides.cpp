@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <span>
 
 #include "base/error.h"
 #include "deck/nearest.h"
@@ -11,6 +12,13 @@ namespace repose {
 namespace {
 
 constexpr std::string_view repeated_sections[] = {"material", "pair", "wall", "particles", "phase"};
+constexpr std::string_view repeated_subsections[] = {"motion"};
+
+bool is_repeated(const std::string& part, bool at_top) {
+  const std::span<const std::string_view> names = at_top ? std::span<const std::string_view>(repeated_sections)
+                                                         : std::span<const std::string_view>(repeated_subsections);
+  return std::find(names.begin(), names.end(), part) != names.end();
+}
 
 [[noreturn]] void fail(const std::string& set_text, const std::string& message) {
   throw DeckError(fmt::format("--set {}: {}", set_text, message));
@@ -87,15 +95,14 @@ void apply(toml::table& root, const std::string& set_text, Overridden& overridde
   std::string path;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
     path = child(path, parts[i]);
-    const bool is_repeated = i == 0 && std::find(std::begin(repeated_sections), std::end(repeated_sections),
-                                                 parts[0]) != std::end(repeated_sections);
-    if (is_repeated) {
-      toml::array* array = table->get_as<toml::array>(parts[0]);
-      if (array == nullptr) fail(set_text, fmt::format("the deck has no [[{}]]", parts[0]));
-      if (parts.size() < 3) {
-        fail(set_text, fmt::format("say which [[{0}]]: {0}.0.{1}=... or {0}.NAME.{1}=...", parts[0], parts[1]));
+    const std::string& part = parts[i];
+    if (is_repeated(part, i == 0)) {
+      toml::array* array = table->get_as<toml::array>(part);
+      if (array == nullptr) fail(set_text, fmt::format("the deck has no [[{}]]", path));
+      if (parts.size() < i + 3) {
+        fail(set_text, fmt::format("say which [[{0}]]: {0}.0.{1}=... or {0}.NAME.{1}=...", path, parts[i + 1]));
       }
-      const std::size_t index = find_element(*array, parts[0], parts[1], set_text);
+      const std::size_t index = find_element(*array, path, parts[i + 1], set_text);
       table = array->get_as<toml::table>(index);
       path = child(path, index);
       ++i;

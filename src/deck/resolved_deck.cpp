@@ -23,27 +23,37 @@ class Writer {
       if (!value.enabled) return;
     }
     text_ += fmt::format("\n[{}{}]\n", group_, name);
-    describe(*this, value);
+    describe_inside(name, value);
   }
 
   template <class S>
   void sections(std::string_view name, std::vector<S>& values, const Presence&, std::string_view) {
     for (S& value : values) {
       text_ += fmt::format("\n[[{}{}]]\n", group_, name);
-      describe(*this, value);
+      describe_inside(name, value);
     }
   }
 
   template <class F>
   void group(std::string_view name, F&& visit) {
-    group_ = fmt::format("{}.", name);
-    visit(*this);
-    group_.clear();
+    inside(name, [&] { visit(*this); });
   }
 
   const std::string& text() const { return text_; }
 
  private:
+  template <class F>
+  void inside(std::string_view name, F&& write) {
+    const std::string outer = group_;
+    group_ += fmt::format("{}.", name);
+    write();
+    group_ = outer;
+  }
+  template <class S>
+  void describe_inside(std::string_view name, S& value) {
+    inside(name, [&] { describe(*this, value); });
+  }
+
   std::string text_;
   std::string group_;
 };

@@ -18,11 +18,14 @@ void describe(V& v, Deck& d) {
   v.sections("pair", d.pairs, required, "contact of two materials, in either order");
   v.sections("wall", d.walls, optional, "a rigid surface, felt from both sides");
   v.sections("particles", d.particles, required, "a block of spheres");
+  v.section("tilt", d.tilt, optional, "tilts the apparatus: gravity turns the other way");
   v.section("time", d.time, optional, "the time step");
   v.sections("phase", d.phases, required, "a stage of the run; the phases follow each other");
   v.group("measurement", [&d](V& g) {
     g.section("discharge", d.discharge, optional, "measure the mass that leaves an orifice");
     g.section("angle_of_repose", d.angle_of_repose, optional, "measure the slope of the pile from its side view");
+    g.section("tilt_onset", d.tilt_onset, optional, "measure the tilt at which a particle begins to move");
+    g.section("surface_angle", d.surface_angle, optional, "measure the slope of the bed in a rotating drum");
   });
   v.section("output", d.output, optional, "what is written and when");
   v.section("guards", d.guards, optional, "bounds that stop the run when the physics breaks");

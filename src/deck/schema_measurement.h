@@ -31,4 +31,26 @@ void describe(V& v, AngleOfReposeDeck& a) {
     optional_else("plate_height").when(is_perspective, "camera = perspective"), "z of the camera");
 }
 
+template <class V>
+void describe(V& v, TiltOnsetDeck& t) {
+  v("particle", t.particle, Unit::none, at_least(0), optional, "its id: particles are numbered as the deck lists them");
+  v("against", t.against, Unit::none, any_value, required,
+    "material of what it rests on, whose friction the onset is compared with");
+  v("displacement", t.displacement, Unit::metre, above(0), optional_else("0.001 of its radius"),
+    "way that counts as motion, beyond what the contacts give way elastically");
+  v("extrapolate", t.extrapolate, Unit::none, any_value, optional,
+    "repeat the run at half the rate of tilt and extrapolate to a rate of zero");
+}
+
+template <class V>
+void describe(V& v, SurfaceAngleDeck& s) {
+  v("axis_origin", s.axis_origin, Unit::metre, any_value, optional, "a point of the drum's axis");
+  v("axis_direction", s.axis_direction, Unit::none, any_value, optional, "direction of the drum's axis, of any length");
+  v("radius", s.radius, Unit::metre, above(0), required, "radius of the drum");
+  v("from", s.from, Unit::second, at_least(0), optional, "time of the first sample");
+  v("interval", s.interval, Unit::second, above(0), optional, "time between samples");
+  v("half_width", s.half_width, Unit::none, above_to(0, 1), optional,
+    "half width of the fitted part of the surface about the axis, share of the radius");
+}
+
 }  // namespace repose

@@ -20,6 +20,14 @@ void describe(V& v, DomainDeck& d) {
 }
 
 template <class V>
+void describe(V& v, TiltDeck& t) {
+  v("axis_direction", t.axis_direction, Unit::none, any_value, optional, "direction of the axis, of any length");
+  v("angular_velocity", t.angular_velocity, Unit::angular_speed, any_value, required,
+    "of the apparatus about the axis by the right-hand rule");
+  v("phases", t.phases, Unit::none, any_value, optional, "phases in which it tilts; none named: all");
+}
+
+template <class V>
 void describe(V& v, TimeDeck& t) {
   v("rayleigh_fraction", t.rayleigh_fraction, Unit::none, above_to(0, 1), optional,
     "largest step as a share of the Rayleigh time");
@@ -44,7 +52,8 @@ void describe(V& v, PhaseDeck& p) {
   v("min_time", p.min_time, Unit::second, at_least(0), optional.when(by_energy, "until = kinetic_energy"),
     "the condition is not asked before");
   v("max_time", p.max_time, Unit::second, above(0),
-    by_energy ? required : optional_else("none; kinetic_energy needs it"),
+    by_energy || p.until == PhaseUntil::tilt_onset ? required
+                                                   : optional_else("none; kinetic_energy and tilt_onset need it"),
     "ends the phase whatever its condition says");
   v("remove_walls", p.remove_walls, Unit::none, any_value, optional, "walls that vanish at the start of the phase");
   v("add_walls", p.add_walls, Unit::none, any_value, optional, "walls that appear at the start of the phase");

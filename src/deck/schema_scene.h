@@ -23,6 +23,26 @@ void describe(V& v, PairDeck& p) {
 }
 
 template <class V>
+void describe(V& v, MotionDeck& m) {
+  v("type", m.type, Unit::none, any_value, required, "translation, oscillation or rotation");
+  const bool is_translation = m.type == MotionType::translation;
+  const bool is_oscillation = m.type == MotionType::oscillation;
+  const bool is_rotation = m.type == MotionType::rotation;
+  v("velocity", m.velocity, Unit::speed, any_value, required.when(is_translation, "type = translation"), "velocity");
+  v("amplitude", m.amplitude, Unit::metre, any_value, required.when(is_oscillation, "type = oscillation"),
+    "displacement = amplitude x sin(2 pi frequency t)");
+  v("frequency", m.frequency, Unit::hertz, above(0), required.when(is_oscillation, "type = oscillation"),
+    "oscillations per second");
+  v("axis_origin", m.axis_origin, Unit::metre, any_value, optional.when(is_rotation, "type = rotation"),
+    "point of the axis");
+  v("axis_direction", m.axis_direction, Unit::none, any_value, optional.when(is_rotation, "type = rotation"),
+    "direction of the axis, of any length");
+  v("angular_velocity", m.angular_velocity, Unit::angular_speed, any_value,
+    required.when(is_rotation, "type = rotation"), "about the axis by the right-hand rule");
+  v("phases", m.phases, Unit::none, any_value, optional, "phases in which it moves; none named: all");
+}
+
+template <class V>
 void describe(V& v, WallDeck& w) {
   v("name", w.name, Unit::none, any_value, required, "name, used once");
   v("type", w.type, Unit::none, any_value, required,
@@ -49,6 +69,7 @@ void describe(V& v, WallDeck& w) {
     "edge from the corner");
   v("edge_v", w.edge_v, Unit::metre, any_value, required.when(is_rectangle, "type = rectangle"),
     "other edge from the corner, perpendicular to edge_u");
+  v.sections("motion", w.motions, optional, "moves the wall; several are applied one after the other");
 }
 
 template <class V>
@@ -69,6 +90,9 @@ void describe(V& v, ParticlesDeck& p) {
   v("jitter", p.jitter, Unit::none, from_to(0, 1), optional.when(is_fill, "type = fill"),
     "share of the free gap by which a particle may be moved");
   v("velocity", p.velocity, Unit::speed, any_value, optional.when(is_fill, "type = fill"), "initial velocity");
+  v("fixed", p.fixed, Unit::none, any_value, optional, "held in place, as if glued; of infinite mass");
+  v("rotation_blocked", p.rotation_blocked, Unit::none, any_value, optional, "the particles move but never turn");
+  v.sections("motion", p.motions, optional, "moves the particles along a prescribed path, whatever they touch");
 }
 
 template <class V>

@@ -58,7 +58,12 @@ constexpr auto enumerators(WallType) {
 }
 constexpr auto enumerators(ParticlesType) { return std::array<std::string_view, 2>{"fill", "csv"}; }
 constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 2>{"cylinder", "box"}; }
-constexpr auto enumerators(PhaseUntil) { return std::array<std::string_view, 3>{"kinetic_energy", "time", "steps"}; }
+constexpr auto enumerators(PhaseUntil) {
+  return std::array<std::string_view, 4>{"kinetic_energy", "time", "steps", "tilt_onset"};
+}
+constexpr auto enumerators(MotionType) {
+  return std::array<std::string_view, 3>{"translation", "oscillation", "rotation"};
+}
 constexpr auto enumerators(Camera) { return std::array<std::string_view, 2>{"orthographic", "perspective"}; }
 
 }  // namespace repose

@@ -6,12 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "base/math.h"
+
 namespace repose {
 namespace {
 
 struct Symbol {
   std::string_view text;
-  int power;  ///< times ten to this power gives SI
+  int power;            ///< times ten to this power
+  double factor = 1.0;  ///< and times this factor gives SI
 };
 
 constexpr Symbol metre[] = {{"m", 0}, {"km", 3}, {"cm", -2}, {"mm", -3}, {"um", -6}, {"nm", -9}};
@@ -22,6 +25,9 @@ constexpr Symbol density[] = {{"kg/m3", 0}, {"g/cm3", 3}, {"t/m3", 3}, {"g/m3", 
 constexpr Symbol speed[] = {{"m/s", 0}, {"km/s", 3}, {"cm/s", -2}, {"mm/s", -3}, {"um/s", -6}};
 constexpr Symbol acceleration[] = {{"m/s2", 0}, {"cm/s2", -2}, {"mm/s2", -3}};
 constexpr Symbol joule[] = {{"J", 0}, {"kJ", 3}, {"mJ", -3}, {"uJ", -6}, {"nJ", -9}, {"pJ", -12}, {"fJ", -15}};
+
+constexpr Symbol hertz[] = {{"Hz", 0}, {"kHz", 3}};
+constexpr Symbol angular_speed[] = {{"rad/s", 0}, {"deg/s", 0, pi / 180.0}, {"rpm", 0, pi / 30.0}};
 
 struct Dimension {
   std::string_view name;
@@ -48,6 +54,10 @@ Dimension dimension(Unit unit) {
       return {"an acceleration", acceleration};
     case Unit::joule:
       return {"an energy", joule};
+    case Unit::hertz:
+      return {"a frequency", hertz};
+    case Unit::angular_speed:
+      return {"an angular speed", angular_speed};
   }
   return {"a number", {}};
 }
@@ -106,7 +116,7 @@ Quantity parse_quantity(std::string_view text, Unit unit) {
     const std::string joined = fmt::format("{}e{}", number.substr(0, e), exponent + s.power);
     const auto result = std::from_chars(joined.data(), joined.data() + joined.size(), value);
     if (result.ec != std::errc{}) return problem(text, wanted, "is too large or too small for a double");
-    return {value, {}};
+    return {s.factor * value, {}};
   }
   return problem(text, wanted, fmt::format("is not {}", wanted.name));
 }

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/math.h"
+#include "scene/motion.h"
 #include "scene/sphere.h"
 
 namespace repose {
@@ -17,11 +18,11 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double power_fifth(double x) { return x * x * x * x * x; }
 
-/// Shortest Rayleigh time of all particles.
+/// Shortest Rayleigh time of all particles that move.
 double shortest_rayleigh_time(const MaterialTable& materials, const SmallestRadii& radii) {
   double shortest = infinite;
   for (std::size_t m = 0; m < materials.size(); ++m) {
-    if (radii.of_material[m] < infinite) {
+    if (radii.of_material[m] < infinite && !materials.is_held(static_cast<std::int32_t>(m))) {
       shortest = std::min(shortest, rayleigh_time(radii.of_material[m], materials[m]));
     }
   }
@@ -33,7 +34,7 @@ double shortest_hertz_time(const MaterialTable& materials, const SmallestRadii& 
   double shortest = infinite;
   for (std::size_t a = 0; a < materials.size(); ++a) {
     const double radius = radii.of_material[a];
-    if (!(radius < infinite)) continue;
+    if (!(radius < infinite) || materials.is_held(static_cast<std::int32_t>(a))) continue;
     const double mass = sphere_mass(radius, materials[a].density);
     for (std::size_t b = 0; b < materials.size(); ++b) {
       const double stiffness = materials.pair(a, b).youngs_modulus_eff;
@@ -41,12 +42,20 @@ double shortest_hertz_time(const MaterialTable& materials, const SmallestRadii& 
       shortest = std::min(shortest, hertz_time(radius, mass, stiffness, speed));  // at a wall
       const double other = radii.of_material[b];
       if (!(other < infinite)) continue;
-      const double other_mass = sphere_mass(other, materials[b].density);
+      const double other_mass = sphere_mass(other, materials.pair(a, b).density_second);
       shortest = std::min(shortest, hertz_time(radius * other / (radius + other),
                                                mass * other_mass / (mass + other_mass), stiffness, speed));
     }
   }
   return shortest;
+}
+
+/// The greatest speed that walls and particles on prescribed paths have.
+double driven_speed(const Deck& deck) {
+  double speed = 0.0;
+  for (const WallDeck& wall : deck.walls) speed = std::max(speed, greatest_speed(wall.motions, deck.domain));
+  for (const ParticlesDeck& block : deck.particles) speed = std::max(speed, greatest_speed(block.motions, deck.domain));
+  return speed;
 }
 
 }  // namespace
@@ -62,12 +71,14 @@ double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff,
 
 double expected_speed(const Deck& deck, const NewParticles& particles) {
   if (!std::isnan(deck.time.expected_speed)) return deck.time.expected_speed;
+  const double driven = driven_speed(deck);
   const Vec3 g = deck.gravity;
   const auto& [min, max] = deck.domain;
   const Vec3 lowest = {g.x > 0.0 ? max.x : min.x, g.y > 0.0 ? max.y : min.y, g.z > 0.0 ? max.z : min.z};
-  double greatest_square = 1e-6;  // nothing moves by itself: 1 mm/s
+  double greatest_square = std::max(1e-6, driven * driven);  // nothing moves by itself: 1 mm/s
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double fall = dot(g, lowest - particles.position[i]);  // g times height
+    const double fall = deck.tilt.enabled ? norm(g) * norm(max - min)  // gravity may come to point anywhere
+                                          : dot(g, lowest - particles.position[i]);  // g times height
     greatest_square = std::max(greatest_square, squared_norm(particles.velocity[i]) + 2.0 * fall);
   }
   return std::sqrt(greatest_square);

@@ -48,7 +48,7 @@ Energies measure_energies(const Communicator& comm, const Vec3& gravity, const M
   std::vector<double> translational, rotational, gravitational, elastic;
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const ParticleRecord& p = particles.record[i];
-    if (is_parked(p)) continue;
+    if (is_parked(p) || materials.is_held(particles.material[i])) continue;
     const double mass = mass_of(particles, materials, i);
     translational.push_back(0.5 * mass * squared_norm(p.velocity));
     rotational.push_back(0.5 * sphere_inertia(mass, p.radius) * squared_norm(p.spin));
@@ -78,7 +78,8 @@ double mean_kinetic_energy(const Communicator& comm, const MaterialTable& materi
   energy.reserve(particles.owned);
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const ParticleRecord& p = particles.record[i];
-    if (!is_parked(p)) energy.push_back(0.5 * mass_of(particles, materials, i) * squared_norm(p.velocity));
+    if (is_parked(p) || materials.is_held(particles.material[i])) continue;
+    energy.push_back(0.5 * mass_of(particles, materials, i) * squared_norm(p.velocity));
   }
   const double total = order_independent_sum(comm, energy);
   const std::int64_t count = comm.sum(static_cast<std::int64_t>(energy.size()));

@@ -11,9 +11,9 @@
 
 namespace repose {
 
-/// Mechanical energy of all particles in the domain, J. The elastic part is what the springs hold: 2/5 k_n delta^2 of
-/// the Hertz force (its work), k_t xi^2 / 2 and M^2 / (2 k_r); the law is not exactly conservative, since k_t and k_r
-/// grow and shrink with the overlap.
+/// Mechanical energy of all particles in the domain that are not held, J. The elastic part is what the springs hold:
+/// 2/5 k_n delta^2 of the Hertz force (its work), k_t xi^2 / 2 and M^2 / (2 k_r); the law is not exactly conservative,
+/// since k_t and k_r grow and shrink with the overlap.
 struct Energies {
   double translational = 0.0;
   double rotational = 0.0;
@@ -27,7 +27,7 @@ Energies measure_energies(const Communicator& comm, const Vec3& gravity, const M
                           const Particles& particles, const PairLists& pairs, std::span<const Wall> walls,
                           const WallContacts& wall_contacts);
 
-/// Collective. Mean translational kinetic energy per particle in the domain, J; 0 without particles.
+/// Collective. Mean translational kinetic energy per particle in the domain that is not held, J; 0 without particles.
 double mean_kinetic_energy(const Communicator& comm, const MaterialTable& materials, const Particles& particles);
 
 /// Collective. Touching pairs and touched wall features.

@@ -43,7 +43,7 @@ ParticleTable collect_particles(const Communicator& comm, const MaterialTable& m
     append(table.angular_velocity, row.record.spin);
     table.radius.push_back(row.record.radius);
     table.mass.push_back(sphere_mass(row.record.radius, materials[static_cast<std::size_t>(row.material)].density));
-    table.material.push_back(row.material);
+    table.material.push_back(materials.solid(row.material));
   }
   return table;
 }

@@ -28,6 +28,14 @@ Json phases_json(const std::vector<PhaseSummary>& phases) {
   return list;
 }
 
+Json tilt_onsets_json(const std::vector<TiltOnsetSummary>& onsets) {
+  Json list = Json::array();
+  for (const TiltOnsetSummary& onset : onsets) {
+    list.push_back({{"rate_deg_s", onset.rate_deg_s}, {"onset_deg", onset.onset_deg}});
+  }
+  return list;
+}
+
 Json timing_json(const Summary& summary) {
   Json stages = Json::object();
   for (const StageSummary& stage : summary.stages) {
@@ -79,6 +87,12 @@ std::string summary_json(const Summary& summary) {
       {"angle_of_repose_left_deg", number(summary.angle_of_repose_left_deg)},
       {"angle_of_repose_right_deg", number(summary.angle_of_repose_right_deg)},
       {"angle_of_repose_stderr_deg", number(summary.angle_of_repose_stderr_deg)},
+      {"tilt_onset_deg", number(summary.tilt_onset_deg)},
+      {"tilt_onset_excess_deg", number(summary.tilt_onset_excess_deg)},
+      {"tilt_onsets", tilt_onsets_json(summary.tilt_onsets)},
+      {"surface_angle_deg", number(summary.surface_angle_deg)},
+      {"surface_angle_deviation_deg", number(summary.surface_angle_deviation_deg)},
+      {"surface_angle_samples", summary.surface_angle_samples},
       {"wall_seconds", number(summary.wall_seconds)},
       {"particle_steps_per_second", number(summary.particle_steps_per_second)},
       {"timing", timing_json(summary)},

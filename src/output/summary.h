@@ -22,6 +22,12 @@ struct ExitSummary {
   std::int64_t particles = 0;
 };
 
+/// The tilt at which a particle began to move.
+struct TiltOnsetSummary {
+  double rate_deg_s = 0.0;
+  double onset_deg = 0.0;
+};
+
 /// Wall time that the ranks spent on one stage of the time loop.
 struct StageSummary {
   std::string name;
@@ -53,6 +59,12 @@ struct Summary {
   std::optional<double> angle_of_repose_left_deg;
   std::optional<double> angle_of_repose_right_deg;
   std::optional<double> angle_of_repose_stderr_deg;
+  std::vector<TiltOnsetSummary> tilt_onsets;
+  std::optional<double> tilt_onset_deg;               ///< at a rate of tilt of zero, if that was asked for
+  std::optional<double> tilt_onset_excess_deg;        ///< over the angle of friction
+  std::optional<double> surface_angle_deg;            ///< of the bed in a drum, mean of the samples
+  std::optional<double> surface_angle_deviation_deg;  ///< standard deviation of the samples
+  std::int64_t surface_angle_samples = 0;
   double wall_seconds = 0.0;
   double particle_steps_per_second = 0.0;
   double loop_wall_seconds = 0.0;  ///< of the time loop alone, without set-up and final measurements

@@ -54,6 +54,7 @@ struct Origin {
   const Deck& deck;
   std::vector<std::size_t> block;
 
+  bool is_held(std::size_t id) const { return repose::is_held(deck.particles[block[id]]); }
   bool is_fill(std::size_t id) const { return deck.particles[block[id]].type == ParticlesType::fill; }
   std::string describe(std::size_t id) const {
     return fmt::format("particle {} of {}", id, block_name(deck, block[id]));
@@ -93,6 +94,7 @@ void check_domain(const NewParticles& particles, const Origin& origin) {
 void check_walls(const NewParticles& particles, const Origin& origin, const std::vector<Wall>& walls) {
   const double bound = origin.deck.guards.max_overlap;
   for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (origin.is_held(i)) continue;  // glued particles may stick in a plate
     for (const Wall& wall : walls) {
       const double overlap = particles.radius[i] - distance(wall, particles.position[i]);
       if (!wall.present || overlap <= bound * particles.radius[i]) continue;
@@ -104,6 +106,7 @@ void check_walls(const NewParticles& particles, const Origin& origin, const std:
 
 void check_overlaps(const NewParticles& particles, const Origin& origin) {
   for_each_overlap(particles.position, particles.radius, [&](std::size_t i, std::size_t j) {
+    if (origin.is_held(i) && origin.is_held(j)) return;
     const double smaller = std::min(particles.radius[i], particles.radius[j]);
     const double apart = norm(particles.position[i] - particles.position[j]);
     const double overlap = particles.radius[i] + particles.radius[j] - apart;
@@ -129,11 +132,14 @@ NewParticles insert_particles(const Deck& deck, const std::vector<Wall>& walls, 
                     ? filled(deck, block, all.size(), walls)
                     : parse_particle_csv(read_file(particles.file), particles.file, deck.materials));
     origin.block.resize(all.size(), block);
+    all.block_begin.push_back(all.size());
   }
   check_pairs(all, deck);
   check_domain(all, origin);
   check_walls(all, origin, walls);
   check_overlaps(all, origin);
+  const auto twin = static_cast<int>(deck.materials.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all.material[i] += origin.is_held(i) ? twin : 0;
   return all;
 }
 

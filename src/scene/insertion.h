@@ -15,7 +15,8 @@ struct NewParticles {
   std::vector<Vec3> velocity;  ///< m/s
   std::vector<Vec3> spin;      ///< rad/s
   std::vector<double> radius;  ///< m
-  std::vector<int> material;   ///< index into the deck's materials
+  std::vector<int> material;   ///< index into the MaterialTable: that of the deck, or of the twin of a held one
+  std::vector<std::size_t> block_begin = {0};  ///< the first id of each block of the deck, and the number of all
 
   std::size_t size() const { return position.size(); }
 };

@@ -17,6 +17,8 @@ MaterialTable::MaterialTable(const Deck& deck) {
   for (const MaterialDeck& m : deck.materials) {
     materials_.push_back({m.name, m.youngs_modulus, m.poisson_ratio, m.density});
   }
+  solids_ = materials_.size();
+  for (std::size_t m = 0; m < solids_; ++m) materials_.push_back(Material(materials_[m]));
   pairs_.resize(size() * size());
   for (const PairDeck& deck_pair : deck.pairs) {
     const auto a = static_cast<std::size_t>(index_of(deck_pair.materials[0]));
@@ -33,9 +35,22 @@ MaterialTable::MaterialTable(const Deck& deck) {
       p.tangential_damping_ratio = std::sqrt(4.0 * p.shear_modulus_eff / p.youngs_modulus_eff);
       p.sliding_friction = deck_pair.sliding_friction;
       p.rolling_friction = deck_pair.rolling_friction;
-      p.density_first = mi.density;
-      p.density_second = mj.density;
-      pairs_[i * size() + j] = p;
+      set_pairs(i, j, p);
+    }
+  }
+}
+
+/// The pair of two materials, and of their twins.
+void MaterialTable::set_pairs(std::size_t first, std::size_t second, const PairParameters& parameters) {
+  constexpr double beyond_measure = 1e100;  // m M / (m + M) is then m
+  for (const bool first_is_held : {false, true}) {
+    for (const bool second_is_held : {false, true}) {
+      const std::size_t i = first + (first_is_held ? solids_ : 0);
+      const std::size_t j = second + (second_is_held ? solids_ : 0);
+      PairParameters& pair = pairs_[i * size() + j];
+      pair = parameters;
+      pair.density_first = first_is_held ? beyond_measure : materials_[i].density;
+      pair.density_second = second_is_held ? beyond_measure : materials_[j].density;
     }
   }
 }

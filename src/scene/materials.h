@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct PairParameters {
   double tangential_damping_ratio = 0.0;  ///< c_t / c_n = sqrt(S_t / S_n) (thesis eqs. 2.8, 2.9)
   double sliding_friction = 0.0;          ///< mu
   double rolling_friction = 0.0;          ///< mu_r
-  double density_first = 0.0;             ///< kg/m3, of the particle with the lower id
+  double density_first = 0.0;             ///< kg/m3, of the particle with the lower id; of a held one beyond measure
   double density_second = 0.0;            ///< kg/m3, unused at walls
 };
 
@@ -30,13 +31,18 @@ struct PairParameters {
 /// returns the restitution coefficient e it is fed (Tsuji, Tanaka, Ishida 1992, doi:10.1016/0032-5910(92)88030-L).
 double damping_ratio(double restitution);
 
-/// The materials of a deck and the symmetric table of their pairs, by index.
+/// The materials of a deck and the symmetric table of their pairs, by index. Behind the materials come their twins for
+/// particles that are held (fixed, or on a prescribed path): the same solid, in contacts of infinite mass.
 class MaterialTable {
  public:
   /// `deck` has been checked: every pair that can meet is there.
   explicit MaterialTable(const Deck& deck);
 
-  std::size_t size() const { return materials_.size(); }
+  std::size_t size() const { return materials_.size(); }  ///< with the twins
+  std::int32_t held_twin(std::int32_t material) const { return material + static_cast<std::int32_t>(solids_); }
+  bool is_held(std::int32_t material) const { return material >= static_cast<std::int32_t>(solids_); }
+  /// The deck's material that a material or its twin is.
+  std::int32_t solid(std::int32_t material) const { return material % static_cast<std::int32_t>(solids_); }
   const Material& operator[](std::size_t index) const { return materials_[index]; }
   int index_of(const std::string& name) const;
   const PairParameters& pair(std::size_t first, std::size_t second) const { return pairs_[first * size() + second]; }
@@ -44,6 +50,9 @@ class MaterialTable {
   double stiffest_partner(std::size_t material) const;
 
  private:
+  void set_pairs(std::size_t first, std::size_t second, const PairParameters& parameters);
+
+  std::size_t solids_ = 0;  ///< materials of the deck
   std::vector<Material> materials_;
   std::vector<PairParameters> pairs_;  ///< size() x size(); zero where the deck has none (walls among themselves)
 };

@@ -1,5 +1,6 @@
 #include "scene/wall.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -33,32 +34,90 @@ std::variant<Plane, Rectangle, Profile> make_shape(const WallDeck& deck) {
   throw std::invalid_argument("unknown shape");
 }
 
+// Whether a motion brings every point of the shape to another of its points.
+bool keeps(const Plane& plane, const MotionDeck& motion) {
+  switch (motion.type) {
+    case MotionType::translation:
+      return dot(motion.velocity, plane.normal) == 0.0;
+    case MotionType::oscillation:
+      return dot(motion.amplitude, plane.normal) == 0.0;
+    case MotionType::rotation:
+      return cross(motion.axis_direction, plane.normal) == Vec3{};
+  }
+  return false;
+}
+bool keeps(const Rectangle&, const MotionDeck&) { return false; }
+bool keeps(const Profile& profile, const MotionDeck& motion) {
+  return motion.type == MotionType::rotation && cross(motion.axis_direction, profile.axis) == Vec3{} &&
+         cross(motion.axis_origin - profile.origin, profile.axis) == Vec3{};
+}
+
+bool is_moved(const Wall& wall) {
+  const auto moves_shape = [&](const MotionDeck& motion) {
+    return std::visit([&](const auto& shape) { return !keeps(shape, motion); }, wall.shape);
+  };
+  return std::any_of(wall.motions.motions().begin(), wall.motions.motions().end(), moves_shape);
+}
+
+Face placed(const FlatFace& face, const Placement& placement) {
+  return FlatFace{placement.place(face.point), placement.turn(face.normal)};
+}
+Face placed(const TurnedFace& face, const Placement& placement) {
+  TurnedFace moved = face;
+  moved.origin = placement.place(face.origin);
+  moved.axis = placement.turn(face.axis);
+  moved.aside = placement.turn(face.aside);
+  return moved;
+}
+
+Vec3 seen_by(const Wall& wall, const Vec3& centre) { return wall.travels ? wall.placement.back(centre) : centre; }
+
 }  // namespace
 
 Wall make_wall(const WallDeck& deck, int material) {
   try {
-    return {deck.name, material, deck.present, make_shape(deck)};
+    Wall wall;
+    wall.name = deck.name;
+    wall.material = material;
+    wall.present = deck.present;
+    wall.shape = make_shape(deck);
+    wall.motions = Motions(deck.motions);
+    wall.travels = is_moved(wall);
+    return wall;
   } catch (const std::invalid_argument& problem) {
     throw DeckError(fmt::format("wall \"{}\": {}", deck.name, problem.what()));
   }
 }
 
+void place(Wall& wall, double dt) {
+  const Placement placement = wall.motions.placement(dt);
+  if (wall.travels) wall.placement = placement;
+  wall.placement.motion = placement.motion;
+}
+
 int find_touches(const Wall& wall, int wall_index, const Vec3& centre, double reach, TouchBuffer& out) {
   const int before = out.size();
-  std::visit([&](const auto& shape) { find_touches(shape, centre, reach, wall_index, out); }, wall.shape);
+  const Vec3 seen = seen_by(wall, centre);
+  std::visit([&](const auto& shape) { find_touches(shape, seen, reach, wall_index, out); }, wall.shape);
+  for (int t = before; t < out.size() && wall.travels; ++t) {
+    out[t].normal = wall.placement.turn(out[t].normal);
+    out[t].point = wall.placement.place(out[t].point);
+  }
   return out.size() - before;
 }
 
 double distance(const Wall& wall, const Vec3& centre) {
-  return std::visit([&](const auto& shape) { return distance(shape, centre); }, wall.shape);
+  return std::visit([&](const auto& shape) { return distance(shape, seen_by(wall, centre)); }, wall.shape);
 }
 
 Face face_of(const Wall& wall, int feature) {
-  return std::visit([&](const auto& shape) { return face_of(shape, feature); }, wall.shape);
+  const Face face = std::visit([&](const auto& shape) { return face_of(shape, feature); }, wall.shape);
+  if (!wall.travels) return face;
+  return std::visit([&](const auto& f) { return placed(f, wall.placement); }, face);
 }
 
 double margin(const Wall& wall, int feature, const Vec3& centre) {
-  return std::visit([&](const auto& shape) { return margin(shape, feature, centre); }, wall.shape);
+  return std::visit([&](const auto& shape) { return margin(shape, feature, seen_by(wall, centre)); }, wall.shape);
 }
 
 bool adjacent_features(const Wall& wall, int a, int b) {

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "deck/deck.h"
+#include "scene/motion.h"
 #include "scene/wall_shapes.h"
 
 namespace repose {
@@ -14,11 +15,19 @@ struct Wall {
   int material = 0;     ///< index into the deck's materials
   bool present = true;  ///< false until a phase adds it
   std::variant<Plane, Rectangle, Profile> shape;
+  Motions motions;          ///< what moves it
+  bool travels = false;     ///< false: its motions leave its shape where it is, as a drum's about its own axis do
+  double inner_skin = 0.0;  ///< m, how far it may travel while an inner list is good
+  double outer_skin = 0.0;  ///< m, the same of an outer list
+  Placement placement;      ///< where its motions have brought it; as in the deck when it does not travel
 };
 
 /// A wall from its deck section; a disc becomes a profile of one segment. DeckError, naming the wall, when its shape
 /// makes no sense.
 Wall make_wall(const WallDeck& deck, int material);
+
+/// Brings the wall to where its motions are after all steps so far of `dt` s.
+void place(Wall& wall, double dt);
 
 /// Appends to `out` all features of the wall whose distance from `centre` is less than `reach` (m), tagged with the
 /// index `wall_index`; returns how many. Does not ask whether the wall is present.

@@ -1,0 +1,76 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "deck/check_deck.h"
+#include "deck/nearest.h"
+
+namespace repose {
+namespace {
+
+void check_axis(const std::string& section, const Vec3& direction, DeckErrors& errors) {
+  if (norm(direction) > 0.0) return;
+  errors.add(section + ".axis_direction", "\"axis_direction\" has length zero; it needs a direction");
+}
+
+void check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
+                       DeckErrors& errors) {
+  std::vector<std::string> phases;
+  for (const PhaseDeck& phase : deck.phases) phases.push_back(phase.name);
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    if (std::find(phases.begin(), phases.end(), named[k]) != phases.end()) continue;
+    errors.add(fmt::format("{}.phases.{}", section, k),
+               fmt::format("unknown phase \"{}\"; the nearest is \"{}\"", named[k], nearest(named[k], phases)));
+  }
+}
+
+void check_motion_list(const std::string& section, const std::vector<MotionDeck>& motions, const Deck& deck,
+                       DeckErrors& errors) {
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const std::string motion = fmt::format("{}.motion.{}", section, k);
+    if (motions[k].type == MotionType::rotation) check_axis(motion, motions[k].axis_direction, errors);
+    check_phase_names(motion, motions[k].phases, deck, errors);
+  }
+}
+
+void check_tilt_onset(const Deck& deck, DeckErrors& errors) {
+  const std::string section = "measurement.tilt_onset";
+  if (!deck.tilt.enabled) errors.add(section, "[measurement.tilt_onset] needs a [tilt]");
+  if (deck.tilt.angular_velocity == 0.0) errors.add("tilt.angular_velocity", "the tilt needs a rate other than zero");
+  std::vector<std::string> materials;
+  for (const MaterialDeck& m : deck.materials) materials.push_back(m.name);
+  const std::string& against = deck.tilt_onset.against;
+  if (std::find(materials.begin(), materials.end(), against) != materials.end()) return;
+  errors.add(section + ".against",
+             fmt::format("unknown material \"{}\"; the nearest is \"{}\"", against, nearest(against, materials)));
+}
+
+}  // namespace
+
+void check_motions(const Deck& deck, DeckErrors& errors) {
+  for (std::size_t i = 0; i < deck.walls.size(); ++i) {
+    check_motion_list(fmt::format("wall.{}", i), deck.walls[i].motions, deck, errors);
+  }
+  for (std::size_t i = 0; i < deck.particles.size(); ++i) {
+    const ParticlesDeck& block = deck.particles[i];
+    const std::string section = fmt::format("particles.{}", i);
+    check_motion_list(section, block.motions, deck, errors);
+    if (block.fixed && !block.motions.empty()) {
+      errors.add(section + ".fixed", "\"fixed\" particles stay in place; remove it or the [[particles.motion]]");
+    }
+  }
+  if (deck.tilt.enabled) {
+    check_axis("tilt", deck.tilt.axis_direction, errors);
+    check_phase_names("tilt", deck.tilt.phases, deck, errors);
+  }
+  if (deck.tilt_onset.enabled) check_tilt_onset(deck, errors);
+  if (deck.surface_angle.enabled) {
+    check_axis("measurement.surface_angle", deck.surface_angle.axis_direction, errors);
+  }
+  for (std::size_t i = 0; i < deck.phases.size(); ++i) {
+    if (deck.phases[i].until != PhaseUntil::tilt_onset || deck.tilt_onset.enabled) continue;
+    errors.add(fmt::format("phase.{}.until", i), "\"until\" = tilt_onset needs [measurement.tilt_onset]");
+  }
+}
+
+}  // namespace repose

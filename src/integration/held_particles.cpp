@@ -1,0 +1,69 @@
+#include "integration/held_particles.h"
+
+#include <algorithm>
+
+namespace repose {
+
+HeldParticles::HeldParticles(const Deck& deck, const NewParticles& all) {
+  for (std::size_t b = 0; b < deck.particles.size(); ++b) {
+    const ParticlesDeck& block = deck.particles[b];
+    if (!is_held(block) && !block.rotation_blocked) continue;
+    const auto begin = all.position.begin() + static_cast<std::ptrdiff_t>(all.block_begin[b]);
+    const auto end = all.position.begin() + static_cast<std::ptrdiff_t>(all.block_begin[b + 1]);
+    blocks_.push_back({.first = static_cast<std::int64_t>(all.block_begin[b]),
+                       .end = static_cast<std::int64_t>(all.block_begin[b + 1]),
+                       .held = is_held(block),
+                       .rotation_blocked = block.rotation_blocked,
+                       .start = block.motions.empty() ? std::vector<Vec3>{} : std::vector<Vec3>(begin, end),
+                       .motions = Motions(block.motions),
+                       .placement = {}});
+  }
+}
+
+void HeldParticles::begin_phase(const std::string& phase) {
+  for (Block& block : blocks_) block.motions.begin_phase(phase);
+}
+
+void HeldParticles::list(Particles& particles) {
+  held_.clear();
+  if (blocks_.empty()) return;
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    const std::int64_t id = particles.id[i];
+    const auto block =
+        std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return id >= b.first && id < b.end; });
+    if (block == blocks_.end()) continue;
+    particles.torque_to_acceleration[i] = 0.0;
+    if (!block->held) continue;
+    particles.force_to_acceleration[i] = 0.0;
+    const Vec3 position = block->motions.empty() ? particles.record[i].position
+                                                 : block->start[static_cast<std::size_t>(id - block->first)];
+    held_.push_back({i, static_cast<std::size_t>(block - blocks_.begin()), position});
+  }
+}
+
+void HeldParticles::step(double dt) {
+  for (Block& block : blocks_) {
+    block.motions.step();
+    block.placement = block.motions.placement(dt);
+  }
+}
+
+void HeldParticles::hold(Particles& particles) const {
+  for (const Held& held : held_) {
+    ParticleRecord& p = particles.record[held.index];
+    if (is_parked(p)) continue;
+    const Placement& placement = blocks_[held.block].placement;
+    p.position = blocks_[held.block].motions.empty() ? held.position : placement.place(held.position);
+    p.velocity = placement.motion.at(p.position);
+    p.spin = placement.motion.angular_velocity;
+  }
+}
+
+bool HeldParticles::skin_used_up(std::span<const Mark> marks, const Particles& particles) const {
+  return std::any_of(held_.begin(), held_.end(), [&](const Held& held) {
+    const Mark& mark = marks[held.index];
+    return squared_norm(particles.record[held.index].position - mark.position) >= mark.squared_skin;
+  });
+}
+
+}  // namespace repose

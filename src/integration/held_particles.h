@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/insertion.h"
+#include "scene/motion.h"
+#include "scene/particles.h"
+#include "scene/reach.h"
+
+namespace repose {
+
+/// The particles that forces do not move: fixed ones and those on a prescribed path; and those that never turn.
+/// Integration treats them like all others, then they are put back to where they have to be.
+class HeldParticles {
+ public:
+  HeldParticles(const Deck& deck, const NewParticles& all);
+
+  void begin_phase(const std::string& phase);
+  /// Finds them among the owned particles of this rank, and makes forces or torques without effect on them. To be
+  /// called when the particles have been sorted anew.
+  void list(Particles& particles);
+
+  /// One step of `dt` s has passed.
+  void step(double dt);
+  /// Puts the listed particles to where they are now, with the velocity and spin of their motion.
+  void hold(Particles& particles) const;
+  /// Whether one of them has used up its skin, where hold has put it.
+  bool skin_used_up(std::span<const Mark> marks, const Particles& particles) const;
+
+ private:
+  /// A block of the deck with particles first to end - 1.
+  struct Block {
+    std::int64_t first, end;
+    bool held, rotation_blocked;
+    std::vector<Vec3> start;  ///< m, where they begin, when they have motions
+    Motions motions;
+    Placement placement;
+  };
+  struct Held {
+    std::size_t index;  ///< of the particle
+    std::size_t block;
+    Vec3 position;  ///< m, in the deck; of a fixed one where it is
+  };
+  std::vector<Block> blocks_;
+  std::vector<Held> held_;
+};
+
+}  // namespace repose

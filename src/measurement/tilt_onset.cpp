@@ -1,0 +1,39 @@
+#include "measurement/tilt_onset.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace repose {
+
+void TiltOnset::sample(const Communicator& comm, const Particles& particles, double tilt) {
+  if (onset_) return;
+  // Position, radius, and whether it is there: known to the rank that owns the particle.
+  std::array<double, 5> seen = {};
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    const ParticleRecord& p = particles.record[i];
+    if (particles.id[i] == deck_.particle && !is_parked(p))
+      seen = {p.position.x, p.position.y, p.position.z, p.radius, 1.0};
+  }
+  comm.sum_elements(std::span(seen.begin(), seen.end()));
+  if (seen[4] == 0.0) return;
+  const Vec3 position = {seen[0], seen[1], seen[2]};
+  if (!start_) {
+    start_ = position;
+    bound_ = std::isnan(deck_.displacement) ? 1e-3 * seen[3] : deck_.displacement;
+  }
+  const double way = norm(position - *start_);
+  if (way > bound_) {
+    onset_ = last_tilt_ + (tilt - last_tilt_) * (bound_ - last_way_) / (way - last_way_);
+    return;
+  }
+  last_tilt_ = tilt;
+  last_way_ = way;
+}
+
+double extrapolated_onset(double at_rate, double at_slower_rate, double slower) {
+  const double delay = std::pow(slower, 2.0 / 3.0);  // of the slower rate, over that of the other
+  return (at_slower_rate - delay * at_rate) / (1.0 - delay);
+}
+
+}  // namespace repose

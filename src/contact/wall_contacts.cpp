@@ -210,7 +210,6 @@ WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls
       forget(group);
       continue;
     }
-    if (wall.travels) group.face = face_of(wall, group.feature);
     const WallLaw law = wall_law(materials, group.material, wall, dt, max_overlap);
     alarms += evaluate_faces(level, law, group, particles.record.data(), particles.sum.data());
   }

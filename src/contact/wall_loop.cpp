@@ -31,13 +31,15 @@ struct LaneWalls {
 
 /// Lanes from `used` on, and parked particles, get a distance at which they do not touch.
 template <class FaceShape>
-[[gnu::always_inline]] inline void touch_face(const FaceShape& face_in, std::size_t used, const ParticleRecord* records,
-                                              const ContactBlock& block, LaneWalls& walls) {
+[[gnu::always_inline]] inline void touch_face(const FaceShape& face_in, const Placement* placement, std::size_t used,
+                                              const ParticleRecord* records, const ContactBlock& block,
+                                              LaneWalls& walls) {
   const FaceShape face = face_in;
   const auto lanes = static_cast<std::int64_t>(used);
   for (int k = 0; k < block_lanes; k += 4) {
     const QuadParticle p = gather(records, block.first + k);
-    const BasicFaceTouch<Quad> at = touch(face, p.position);
+    BasicFaceTouch<Quad> at = touch(face, placement == nullptr ? p.position : placement->back(p.position));
+    if (placement != nullptr) at.normal = placement->turn(at.normal);
     const QuadInt lane = QuadInt{0, 1, 2, 3} + k;
     const QuadInt here = (lane < lanes) & (p.position.x < broadcast<Quad>(parking_distance));
     store(at.normal, walls.normal, k);
@@ -128,7 +130,7 @@ template <class FaceShape>
     if (n + 1 < group.blocks.size()) {
       for (const std::int32_t particle : group.blocks[n + 1].first) fetch_ahead(particle, records, sums);
     }
-    touch_face(face, group.lanes - n * block_lanes, records, block, walls);
+    touch_face(face, law.placement, group.lanes - n * block_lanes, records, block, walls);
     evaluate_block(law, walls, records, block, sums, alarms);
   }
   return alarms;

@@ -51,7 +51,7 @@ Placement placement_of(const MotionDeck& motion, double time, bool runs) {
 Placement carried(const Placement& outer, const Placement& inner) {
   Placement both;
   const auto column = [&](double Vec3::*component) {
-    return outer.turn({inner.rows[0].*component, inner.rows[1].*component, inner.rows[2].*component});
+    return outer.turn(Vec3{inner.rows[0].*component, inner.rows[1].*component, inner.rows[2].*component});
   };
   const std::array<Vec3, 3> columns = {column(&Vec3::x), column(&Vec3::y), column(&Vec3::z)};
   both.rows = {Vec3{columns[0].x, columns[1].x, columns[2].x}, Vec3{columns[0].y, columns[1].y, columns[2].y},

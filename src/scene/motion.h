@@ -25,12 +25,16 @@ struct Placement {
   SurfaceMotion motion;
 
   /// A direction and a point of the deck as they are now.
-  Vec3 turn(const Vec3& v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
+  template <class Real>
+  [[gnu::always_inline]] Vector3<Real> turn(const Vector3<Real>& v) const {
+    return {dot(broadcast<Real>(rows[0]), v), dot(broadcast<Real>(rows[1]), v), dot(broadcast<Real>(rows[2]), v)};
+  }
   Vec3 place(const Vec3& x) const { return turn(x) + shift; }
   /// Where in the deck a point of the present was.
-  Vec3 back(const Vec3& x) const {
-    const Vec3 v = x - shift;
-    return v.x * rows[0] + v.y * rows[1] + v.z * rows[2];
+  template <class Real>
+  [[gnu::always_inline]] Vector3<Real> back(const Vector3<Real>& x) const {
+    const Vector3<Real> v = x - broadcast<Real>(shift);
+    return v.x * broadcast<Real>(rows[0]) + v.y * broadcast<Real>(rows[1]) + v.z * broadcast<Real>(rows[2]);
   }
 };
 

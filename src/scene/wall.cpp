@@ -59,17 +59,6 @@ bool is_moved(const Wall& wall) {
   return std::any_of(wall.motions.motions().begin(), wall.motions.motions().end(), moves_shape);
 }
 
-Face placed(const FlatFace& face, const Placement& placement) {
-  return FlatFace{placement.place(face.point), placement.turn(face.normal)};
-}
-Face placed(const TurnedFace& face, const Placement& placement) {
-  TurnedFace moved = face;
-  moved.origin = placement.place(face.origin);
-  moved.axis = placement.turn(face.axis);
-  moved.aside = placement.turn(face.aside);
-  return moved;
-}
-
 Vec3 seen_by(const Wall& wall, const Vec3& centre) { return wall.travels ? wall.placement.back(centre) : centre; }
 
 }  // namespace
@@ -111,9 +100,7 @@ double distance(const Wall& wall, const Vec3& centre) {
 }
 
 Face face_of(const Wall& wall, int feature) {
-  const Face face = std::visit([&](const auto& shape) { return face_of(shape, feature); }, wall.shape);
-  if (!wall.travels) return face;
-  return std::visit([&](const auto& f) { return placed(f, wall.placement); }, face);
+  return std::visit([&](const auto& shape) { return face_of(shape, feature); }, wall.shape);
 }
 
 double margin(const Wall& wall, int feature, const Vec3& centre) {

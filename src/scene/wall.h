@@ -36,8 +36,8 @@ int find_touches(const Wall& wall, int wall_index, const Vec3& centre, double re
 /// Distance in m from `centre` to the surface.
 double distance(const Wall& wall, const Vec3& centre);
 
-/// The face that feature `feature` is, and how far in m `centre`, which projects onto it, may move in any direction and
-/// still do so.
+/// The face that feature `feature` is, as in the deck, and how far in m `centre`, which projects onto it, may move in
+/// any direction and still do so.
 Face face_of(const Wall& wall, int feature);
 double margin(const Wall& wall, int feature, const Vec3& centre);
 

@@ -208,9 +208,13 @@ WallDeck tilted_plate() {
 }
 
 /// A crowd that touches the faces and edges of two walls, moved about for some steps with its lists made anew at times.
-Setting after_some_steps(bool lanes, VectorLevel level) {
+Setting after_some_steps(bool lanes, VectorLevel level, const std::vector<MotionDeck>& motions = {}) {
   Setting s(lanes);
-  s.walls = {make_wall(funnel(), 1), make_wall(tilted_plate(), 1)};
+  for (WallDeck wall : {funnel(), tilted_plate()}) {
+    wall.motions = motions;
+    s.walls.push_back(make_wall(wall, 1));
+    s.walls.back().motions.begin_phase("any");
+  }
   Draw draw(5);
   while (s.particles.owned < 300) {
     const Vec3 position = {draw(-0.025, 0.025), draw(-0.025, 0.025), draw(-0.012, 0.05)};
@@ -221,16 +225,29 @@ Setting after_some_steps(bool lanes, VectorLevel level) {
     if (step % 10 == 0) s.build(s.contacts.memory(s.particles.owned));
     s.evaluate(level);
     for (ParticleRecord& p : s.particles.record) p.position += dt * p.velocity;
+    for (Wall& wall : s.walls) {
+      wall.motions.step();
+      place(wall, dt);
+    }
   }
   s.evaluate(level);
   return s;
 }
 
-TEST(WallContactsInLanes, GiveTheBitsOfTheSearch) {
-  const Setting searched = after_some_steps(false, best_vector_level());
+MotionDeck turning() {
+  MotionDeck motion;
+  motion.type = MotionType::rotation;
+  motion.axis_origin = {0.01, 0.0, 0.02};
+  motion.axis_direction = {1.0, 2.0, 0.5};
+  motion.angular_velocity = 30.0;
+  return motion;
+}
+
+void expect_bits_of_the_search(const std::vector<MotionDeck>& motions) {
+  const Setting searched = after_some_steps(false, best_vector_level(), motions);
   ASSERT_GT(searched.touching().size(), 100U);
   for (const VectorLevel level : levels_here()) {
-    const Setting s = after_some_steps(true, level);
+    const Setting s = after_some_steps(true, level, motions);
     EXPECT_GT(s.contacts.in_lanes(), 150U);
     EXPECT_LT(s.contacts.in_lanes(), 300U);
     EXPECT_EQ(std::memcmp(s.particles.sum.data(), searched.particles.sum.data(), 300 * sizeof(ForceSum)), 0);
@@ -242,6 +259,60 @@ TEST(WallContactsInLanes, GiveTheBitsOfTheSearch) {
       EXPECT_EQ(a[k].overlap, b[k].overlap);
       EXPECT_EQ(std::memcmp(&a[k].history, &b[k].history, sizeof(ContactHistory)), 0);
     }
+  }
+}
+
+TEST(WallContactsInLanes, GiveTheBitsOfTheSearch) { expect_bits_of_the_search({}); }
+TEST(WallContactsInLanes, GiveTheBitsOfTheSearchAtWallsThatTravel) { expect_bits_of_the_search({turning()}); }
+
+/// A grain of velocity -u at a wall at rest sees what a grain at rest sees at a wall of velocity u.
+TEST(MovingWall, OnlyTheRelativeMotionCounts) {
+  const Vec3 u = {0.03, -0.01, 0.02};
+  for (const bool lanes : {false, true}) {
+    Setting rest = grain_on_floor(lanes);
+    Setting moved = rest;
+    rest.particles.record[0].velocity = -u;
+    moved.particles.record[0].velocity = {};
+    MotionDeck motion;
+    motion.velocity = u;
+    WallDeck floor = floor_at(0.0);
+    floor.motions = {motion};
+    moved.walls = {make_wall(floor, 1)};
+    moved.walls[0].motions.begin_phase("any");
+    place(moved.walls[0], dt);
+    rest.build();
+    moved.build();
+    rest.evaluate();
+    moved.evaluate();
+    EXPECT_NE(rest.force(0), Vec3{});
+    EXPECT_EQ(rest.force(0), moved.force(0));
+    EXPECT_EQ(rest.torque(0), moved.torque(0));
+  }
+}
+
+/// A grain that turns with a turntable about its own vertical feels no friction, one further out is dragged along.
+TEST(MovingWall, ATurntableDragsAlong) {
+  MotionDeck motion;
+  motion.type = MotionType::rotation;
+  motion.angular_velocity = 20.0;
+  WallDeck table = floor_at(0.0);
+  table.motions = {motion};
+  for (const bool lanes : {false, true}) {
+    Setting s(lanes);
+    s.walls = {make_wall(table, 1)};
+    s.walls[0].motions.begin_phase("any");
+    place(s.walls[0], dt);
+    EXPECT_FALSE(s.walls[0].travels);
+    s.add_grain({0.0, 0.0, 0.99 * radius}, {}, {0.0, 0.0, 20.0});
+    s.add_grain({0.02, 0.0, 0.99 * radius}, {}, {});
+    s.add_grain({0.0, 0.02, 0.99 * radius}, {-0.4, 0.0, 0.0}, {0.0, 0.0, 20.0});  // carried along
+    s.build();
+    s.evaluate();
+    EXPECT_EQ(s.torque(0), Vec3{});
+    EXPECT_LT(std::fabs(s.force(0).x) + std::fabs(s.force(0).y), 1e-18);
+    EXPECT_GT(s.force(1).y, 1e-8);
+    EXPECT_EQ(s.force(1).x, 0.0);
+    EXPECT_LT(norm(s.force(2) - Vec3{0.0, 0.0, s.force(2).z}), 1e-12 * s.force(2).z);
   }
 }
 

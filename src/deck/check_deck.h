@@ -15,4 +15,10 @@ void check_wall_shapes(const Deck& deck, DeckErrors& errors);
 /// Conditions of the phases and the order in which they add and remove walls (a part of check_deck).
 void check_phases(const Deck& deck, DeckErrors& errors);
 
+/// The blocks of particles: amounts, regions, sizes (a part of check_deck).
+void check_particles(const Deck& deck, DeckErrors& errors);
+
+/// That a box [min, max] of a section has a volume (a part of check_deck).
+void check_box(const std::string& section, const Vec3& min, const Vec3& max, DeckErrors& errors);
+
 }  // namespace repose

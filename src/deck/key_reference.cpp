@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,14 +48,14 @@ class Documenter {
   template <class S>
   void section(std::string_view name, S& value, const Presence& presence, std::string_view meaning) {
     begin(fmt::format("[{}{}]", group_, name), presence, meaning);
-    describe(*this, value);
+    describe_inside(name, value);
   }
 
   template <class S>
   void sections(std::string_view name, std::vector<S>&, const Presence& presence, std::string_view meaning) {
     begin(fmt::format("[[{}{}]]", group_, name), presence, meaning);
     S one;
-    describe(*this, one);
+    describe_inside(name, one);
   }
 
   template <class F>
@@ -67,6 +68,12 @@ class Documenter {
   std::string text() const;
 
  private:
+  template <class S>
+  void describe_inside(std::string_view name, S& value) {
+    const std::string outer = std::exchange(group_, fmt::format("{}{}.", group_, name));
+    describe(*this, value);
+    group_ = outer;
+  }
   void begin(const std::string& title, const Presence& presence, std::string_view meaning) {
     groups_.push_back({fmt::format("{}  {}{}", title, meaning, presence.is_required ? " (required)" : ""), {}});
   }

@@ -1,5 +1,7 @@
 #include "deck/resolved_deck.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "deck/schema.h"
@@ -18,19 +20,19 @@ class Writer {
   }
 
   template <class S>
-  void section(std::string_view name, S& value, const Presence&, std::string_view) {
+  void section(std::string_view name, S& value, const Presence& presence, std::string_view) {
     if constexpr (requires { value.enabled; }) {
-      if (!value.enabled) return;
+      if (!value.enabled || !presence.applies) return;
     }
     text_ += fmt::format("\n[{}{}]\n", group_, name);
-    describe(*this, value);
+    describe_inside(name, value);
   }
 
   template <class S>
   void sections(std::string_view name, std::vector<S>& values, const Presence&, std::string_view) {
     for (S& value : values) {
       text_ += fmt::format("\n[[{}{}]]\n", group_, name);
-      describe(*this, value);
+      describe_inside(name, value);
     }
   }
 
@@ -44,6 +46,13 @@ class Writer {
   const std::string& text() const { return text_; }
 
  private:
+  template <class S>
+  void describe_inside(std::string_view name, S& value) {
+    const std::string outer = std::exchange(group_, fmt::format("{}{}.", group_, name));
+    describe(*this, value);
+    group_ = outer;
+  }
+
   std::string text_;
   std::string group_;
 };

@@ -21,7 +21,7 @@ class Phase {
   Phase(const PhaseDeck& deck, Simulation& simulation);
 
   /// Collective. Empty while the phase goes on; else the condition that ended it: "kinetic_energy", "time", "steps" or
-  /// "max_time". Energies are looked at every `check_every` steps.
+  /// "max_time". Energies are looked at every `check_every` steps, but not while particles are poured.
   std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every) const;
 
   std::int64_t steps_done(const Simulation& simulation) const { return simulation.steps() - first_step_; }

@@ -8,6 +8,9 @@ inline constexpr double pi = 3.141592653589793;
 /// with fused multiply-adds at load time, whose results differ.)
 double log_reproducible(double x);
 
+/// e^x for x that neither overflows nor underflows, within 2 ulp, by arithmetic only.
+double exp_reproducible(double x);
+
 /// x^(1/5) for x > 0, within 2 ulp, by arithmetic only (Newton's iteration from a power of two).
 double fifth_root(double x);
 

@@ -16,10 +16,12 @@ void for_each_overlap(std::span<const Vec3> position, std::span<const double> ra
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return radius[a] > radius[b]; });
   SphereGrid grid;
   for (const std::size_t i : order) {
-    grid.visit_near(position[i], radius[i], [&](const SphereGrid::Sphere& other) {
+    grid.any_near(position[i], radius[i], [&](const SphereGrid::Sphere& other) {
       const double sum = radius[i] + other.radius;
-      if (squared_norm(position[i] - other.position) < sum * sum)
+      if (squared_norm(position[i] - other.position) < sum * sum) {
         found(std::max(i, other.index), std::min(i, other.index));
+      }
+      return false;  // go on
     });
     grid.add(position[i], radius[i], i);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -22,10 +23,11 @@ class SphereGrid {
 
   void add(const Vec3& position, double radius, std::size_t index = 0);
 
-  /// Calls visit(sphere) for each sphere that may be nearer to the given one than the sum of both radii, and for some
-  /// others around. The order depends on the spheres and the order of their addition alone.
-  template <class Visit>
-  void visit_near(const Vec3& position, double radius, Visit&& visit) const {
+  /// Whether holds(sphere) for any of the spheres that may be nearer to the given one than the sum of both radii; asks
+  /// some others around as well, and none after the first that holds. The order depends on the spheres and the order of
+  /// their addition alone.
+  template <class Predicate>
+  bool any_near(const Vec3& position, double radius, Predicate&& holds) const {
     for (const Level& level : levels_) {
       const double reach = radius + 0.5 * level.cell_size;
       const Cell low = level.cell_of(position - Vec3{reach, reach, reach});
@@ -35,21 +37,20 @@ class SphereGrid {
           for (std::int64_t z = low.z; z <= high.z; ++z) {
             const auto cell = level.cells.find({x, y, z});
             if (cell == level.cells.end()) continue;
-            for (const Sphere& sphere : cell->second) visit(sphere);
+            if (std::any_of(cell->second.begin(), cell->second.end(), holds)) return true;
           }
         }
       }
     }
+    return false;
   }
 
   /// Whether any sphere is nearer than the sum of both radii.
   bool overlaps(const Vec3& position, double radius) const {
-    bool found = false;
-    visit_near(position, radius, [&](const Sphere& other) {
+    return any_near(position, radius, [&](const Sphere& other) {
       const double sum = radius + other.radius;
-      found |= squared_norm(position - other.position) < sum * sum;
+      return squared_norm(position - other.position) < sum * sum;
     });
-    return found;
   }
 
  private:

@@ -8,7 +8,6 @@
 #include "integration/time_step.h"
 #include "output/progress.h"
 #include "phases.h"
-#include "scene/sphere.h"
 #include "setup.h"
 
 namespace repose {
@@ -23,16 +22,18 @@ constexpr double particle_steps_per_second_and_rank = 8e6;
 
 std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks) {
   const MaterialTable materials(deck);
-  const NewParticles particles = insert_particles(deck, make_walls(deck, materials), read_file);
-  const TimeStep dt =
-      choose_time_step(deck, materials, smallest_radii(particles, materials.size()), expected_speed(deck, particles));
-  const double count = static_cast<double>(particles.size());
-  double mass = 0.0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    mass += sphere_mass(particles.radius[i], materials[static_cast<std::size_t>(particles.material[i])].density);
-  }
+  const Insertion insertion = insert_particles_of(deck, make_walls(deck, materials), read_file);
+  const TimeStep dt = choose_time_step(deck, materials, smallest_radii(insertion, materials.size()),
+                                       expected_speed(deck, insertion.now));
+  const auto count = static_cast<double>(insertion.planned);
 
-  std::string report = fmt::format("particles   {} ({:.6g} kg)\n", particles.size(), mass);
+  std::string report =
+      fmt::format("particles   {} ({:.6g} kg)\n", insertion.planned, planned_mass(insertion, materials));
+  for (const Pour& pour : insertion.pours) {
+    report += fmt::format("pour        {} particles from {:.4g} to {:.4g} s, every {:.3g} s\n", pour.size(),
+                          pour.deck.start_time, pour.due_time.back(), pour.interval);
+  }
+  for (const SizeReport& sizes : insertion.sizes) report += size_report_text(sizes);
   report += fmt::format("time step   {:.6g} s, {}\n", dt.step,
                         dt.criterion == "given" ? "given in the deck" : "set by the " + dt.criterion + " criterion");
   report += fmt::format("limits      {:.4g} s Rayleigh ({:.0f} %), {:.4g} s Hertz ({:.0f} %, at {:.3g} m/s)\n",

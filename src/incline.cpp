@@ -5,6 +5,7 @@
 
 #include "base/math.h"
 #include "phases.h"
+#include "setup.h"
 
 namespace repose {
 namespace {
@@ -43,11 +44,15 @@ std::optional<double> onset_of(const Communicator& comm, const Deck& deck, const
 }
 
 /// tan of the angle at which the particle should begin to move on the plain material.
-double friction_of(const Deck& deck, const MaterialTable& materials, const NewParticles& all) {
-  const auto id = static_cast<std::size_t>(deck.tilt_onset.particle);
-  const auto after = std::upper_bound(all.block_begin.begin(), all.block_begin.end(), id);
-  const ParticlesDeck& block = deck.particles[static_cast<std::size_t>(after - all.block_begin.begin()) - 1];
-  const PairParameters& pair = materials.pair(static_cast<std::size_t>(all.material[id]),
+double friction_of(const Deck& deck, const MaterialTable& materials, const Insertion& insertion) {
+  const std::int64_t id = deck.tilt_onset.particle;
+  const auto after = std::upper_bound(insertion.block_begin.begin(), insertion.block_begin.end(), id);
+  const ParticlesDeck& block = deck.particles[static_cast<std::size_t>(after - insertion.block_begin.begin()) - 1];
+  const NewParticles& now = insertion.now;
+  const auto found = std::find(now.id.begin(), now.id.end(), id);  // not there: it is poured, and its block has one material
+  const int material = found == now.id.end() ? materials.index_of(block.material)
+                                             : now.material[static_cast<std::size_t>(found - now.id.begin())];
+  const PairParameters& pair = materials.pair(static_cast<std::size_t>(material),
                                               static_cast<std::size_t>(materials.index_of(deck.tilt_onset.against)));
   return block.rotation_blocked ? pair.sliding_friction : pair.rolling_friction;
 }
@@ -74,8 +79,8 @@ void summarise_tilt_onset(const Simulation& simulation, const ReadFile& read_fil
     at_rest = extrapolated_onset(onset, *again, slower);
   }
   summary.tilt_onset_deg = at_rest / degree;
-  const NewParticles all = insert_particles(deck, simulation.walls(), read_file);
-  summary.tilt_onset_excess_deg = (at_rest - std::atan(friction_of(deck, simulation.materials(), all))) / degree;
+  const Insertion insertion = insert_particles_of(deck, simulation.walls(), read_file);
+  summary.tilt_onset_excess_deg = (at_rest - std::atan(friction_of(deck, simulation.materials(), insertion))) / degree;
 }
 
 }  // namespace repose

@@ -33,7 +33,8 @@ Phase::Phase(const PhaseDeck& deck, Simulation& simulation)
 std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::int64_t check_every,
                                            bool onset_seen) const {
   const std::int64_t done = steps_done(simulation);
-  if (deck_.until == PhaseUntil::kinetic_energy && done >= least_ && simulation.steps() % check_every == 0) {
+  const bool is_asked = done >= least_ && simulation.steps() % check_every == 0 && !simulation.awaits_particles();
+  if (deck_.until == PhaseUntil::kinetic_energy && is_asked) {
     const double mean = mean_kinetic_energy(simulation.comm(), simulation.materials(), simulation.particles());
     if (mean < deck_.kinetic_energy) return "kinetic_energy";
   }

@@ -21,8 +21,8 @@ class Phase {
   Phase(const PhaseDeck& deck, Simulation& simulation);
 
   /// Collective. Empty while the phase goes on; else the condition that ended it: "kinetic_energy", "time", "steps",
-  /// "tilt_onset" or "max_time". Energies are looked at every `check_every` steps; whether the onset of motion has been
-  /// seen the caller knows.
+  /// "tilt_onset" or "max_time". Energies are looked at every `check_every` steps, but not while particles are poured;
+  /// whether the onset of motion has been seen the caller knows.
   std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every,
                                       bool onset_seen = false) const;
 

@@ -75,7 +75,13 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options)
   });
   if (!deck.walls.empty()) wall_loads_.emplace(simulation, path("walls.csv"));
   if (deck.surface_angle.enabled) surface_angle_.emplace(simulation, path("surface_angle.csv"));
-  if (deck.tilt_onset.enabled) tilt_onset_.emplace(deck.tilt_onset);
+  if (deck.tilt_onset.enabled) {
+    if (deck.tilt_onset.particle >= simulation.planned()) {
+      throw DeckError(fmt::format("measurement.tilt_onset.particle = {}: the deck has particles 0 to {}",
+                                  deck.tilt_onset.particle, simulation.planned() - 1));
+    }
+    tilt_onset_.emplace(deck.tilt_onset);
+  }
   inside_ = inside(simulation);
   if (deck.output.trace) write_trace(simulation);
 }
@@ -189,7 +195,7 @@ void Recorder::write_series_row(const Simulation& simulation, const std::string&
 
 void Recorder::write_trace(const Simulation& simulation) {
   const ParticleTable table =
-      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.inserted());
+      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
   const std::vector<TraceRow> rows = gather_trace_rows(simulation.comm(), table);
   agree_after_root(simulation.comm(), [&] { trace_->append(simulation.steps(), rows); });
 }
@@ -210,8 +216,7 @@ void Recorder::write_snapshot_now(const Simulation& simulation) {
   for (const MaterialDeck& m : simulation.deck().materials) header.materials.push_back(m.name);
   const std::string name = fmt::format("run_{:010d}.hdf", simulation.steps());
   write_snapshot(comm, path(name),
-                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.inserted()),
-                 header);
+                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.planned()), header);
   agree_after_root(comm, [&] { snapshots_.add(name, simulation.time()); });
 }
 
@@ -247,7 +252,7 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
 
 void Recorder::measure_pile(const Simulation& simulation, Summary& summary) {
   const ParticleTable table =
-      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.inserted());
+      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
   const std::vector<Sphere> grains = gather_spheres(simulation.comm(), table);
   agree_after_root(simulation.comm(), [&] {
     std::optional<AngleOfRepose> angle;
@@ -287,6 +292,10 @@ void Recorder::measure_cost(const Simulation& simulation, Summary& summary) cons
   summary.listed_pairs_per_particle = per_particle(simulation.pairs().listed());
   summary.evaluated_pairs_per_particle = per_particle(simulation.pairs().lanes());
 
+  const auto ghosts = static_cast<std::int64_t>(simulation.particles().ghosts());
+  summary.ghosts = comm.sum(ghosts);
+  summary.most_ghosts_of_a_rank = comm.max(simulation.counters().peak_ghosts);
+
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
   summary.memory_peak_bytes = comm.sum(std::int64_t{1024} * usage.ru_maxrss);
@@ -308,7 +317,9 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
   s.timestep_s = simulation.time_step().step;
   s.timestep_set_by = simulation.time_step().criterion;
   s.inserted = simulation.inserted();
+  s.planned = simulation.planned();
   s.inside = inside(simulation);
+  s.sizes = simulation.sizes();
   std::array<std::int64_t, 6> left = simulation.left_here().particles;
   comm.sum_elements(std::span(left.begin(), left.end()));
   for (std::size_t e = 0; e < left.size(); ++e) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "output/snapshot_reader.h"
+#include "scene/sphere.h"
+
 namespace repose {
 
 std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials) {
@@ -11,13 +14,25 @@ std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials) {
   return walls;
 }
 
-SmallestRadii smallest_radii(const NewParticles& particles, std::size_t materials) {
+Insertion insert_particles_of(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file) {
+  return insert_particles(deck, walls, read_file, [&](const std::string& file) {
+    return parse_snapshot(read_file(file), file, deck.materials);
+  });
+}
+
+SmallestRadii smallest_radii(const Insertion& insertion, std::size_t materials) {
   SmallestRadii radii{std::vector<double>(materials, std::numeric_limits<double>::infinity())};
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    double& smallest = radii.of_material[static_cast<std::size_t>(particles.material[i])];
-    smallest = std::min(smallest, particles.radius[i]);
-  }
+  insertion.for_each([&](double radius, std::size_t material) {
+    radii.of_material[material] = std::min(radii.of_material[material], radius);
+  });
   return radii;
+}
+
+double planned_mass(const Insertion& insertion, const MaterialTable& materials) {
+  double mass = 0.0;
+  insertion.for_each(
+      [&](double radius, std::size_t material) { mass += sphere_mass(radius, materials[material].density); });
+  return mass;
 }
 
 }  // namespace repose

@@ -13,6 +13,13 @@ namespace repose {
 
 std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials);
 
-SmallestRadii smallest_radii(const NewParticles& particles, std::size_t materials);
+/// What the deck brings in (scene/insertion.h), with snapshots read by the output's own reader.
+Insertion insert_particles_of(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file);
+
+/// Of all particles, present and planned.
+SmallestRadii smallest_radii(const Insertion& insertion, std::size_t materials);
+
+/// Mass in kg of all particles, present and planned.
+double planned_mass(const Insertion& insertion, const MaterialTable& materials);
 
 }  // namespace repose

@@ -9,7 +9,6 @@
 #include "domain/migration.h"
 #include "guards.h"
 #include "integration/velocity_verlet.h"
-#include "scene/sphere.h"
 #include "setup.h"
 
 namespace repose {
@@ -17,6 +16,12 @@ namespace {
 
 constexpr std::int64_t inner_horizon_steps = 32;   // steps at present speed that the inner skin covers
 constexpr std::int64_t outer_horizon_steps = 320;  // the same of the outer skin
+
+void append_particle(const NewParticles& from, std::size_t i, Particles& to) {
+  to.record.push_back({from.position[i], from.radius[i], from.velocity[i], 0.0, from.spin[i], 0.0});
+  to.id.push_back(from.id[i]);
+  to.material.push_back(from.material[i]);
+}
 
 }  // namespace
 
@@ -28,35 +33,32 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       walls_(make_walls(deck, materials_)),
       decomposition_(comm.size()),
       ghosts_(comm),
-      gravity_(deck.gravity),
-      held_({}, {}) {
-  const NewParticles all = insert_particles(deck_, walls_, read_file);
-  held_ = HeldParticles(deck_, all);
-  time_step_ = choose_time_step(deck_, materials_, smallest_radii(all, materials_.size()), expected_speed(deck_, all));
+      gravity_(deck.gravity) {
+  Insertion insertion = insert_particles_of(deck_, walls_, read_file);
+  held_ = HeldParticles(deck_, insertion);
+  time_step_ = choose_time_step(deck_, materials_, smallest_radii(insertion, materials_.size()),
+                                expected_speed(deck_, insertion.now));
   watch_ = SkinWatch({deck_.neighbours.inner_skin, static_cast<double>(inner_horizon_steps) * time_step_.step},
                      {deck_.neighbours.skin, static_cast<double>(outer_horizon_steps) * time_step_.step});
   set_wall_skins();
-  insert(all);
+  planned_ = insertion.planned;
+  mass_unit_ = MassUnit(planned_mass(insertion, materials_));
+  sizes_ = std::move(insertion.sizes);
+  pouring_ = Pouring(std::move(insertion.pours), time_step_.step);
+  insert(insertion.now);
   rebuild_lists();
   evaluate_forces(0.0);
   check_guards();
   clock_ = {};  // the set-up belongs to no stage
 }
 
-/// Each rank starts with an equal share of the ids; the first rebuild sends the particles where they belong.
+/// Each rank starts with an equal share of the particles; the first rebuild sends them where they belong.
 void Simulation::insert(const NewParticles& all) {
-  inserted_ = static_cast<std::int64_t>(all.size());
-  double total_mass = 0.0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    total_mass += sphere_mass(all.radius[i], materials_[static_cast<std::size_t>(all.material[i])].density);
-  }
-  mass_unit_ = MassUnit(total_mass);
+  inserted_at_start_ = static_cast<std::int64_t>(all.size());
   const auto ranks = static_cast<std::size_t>(comm_.size());
   const auto rank = static_cast<std::size_t>(comm_.rank());
   for (std::size_t i = all.size() * rank / ranks; i < all.size() * (rank + 1) / ranks; ++i) {
-    particles_.record.push_back({all.position[i], all.radius[i], all.velocity[i], 0.0, all.spin[i], 0.0});
-    particles_.id.push_back(static_cast<std::int64_t>(i));
-    particles_.material.push_back(all.material[i]);
+    append_particle(all, i, particles_);
   }
   particles_.owned = particles_.id.size();
 }
@@ -69,7 +71,10 @@ void Simulation::advance(std::int64_t steps) {
     const StepNotes notes = halves(level_, gravity_, dt, deck_.domain, watch_.inner_marks(), particles_);
     move_scene();
     if (notes.outside > parked_) count_leavers();
-    renew_lists(agreed_list_state(notes.skin_used_up || held_.skin_used_up(watch_.inner_marks(), particles_)));
+    const bool skin_used_up = notes.skin_used_up || held_.skin_used_up(watch_.inner_marks(), particles_);
+    const ListState state = agreed_list_state(skin_used_up);
+    const bool grows = steps_ + 1 == pouring_.next_step() && pour();
+    renew_lists(grows ? ListState::outer_stale : state);
     evaluate_forces(dt);
     ++steps_;
   }
@@ -109,6 +114,33 @@ void Simulation::set_wall_skins() {
     walls_[w].inner_skin = watch_.inner().horizon * speed;
     walls_[w].outer_skin = watch_.outer().horizon * speed;
   }
+}
+
+/// Whether particles enter at this step.
+bool Simulation::pour() {
+  clock_.enter(Stage::lists);
+  entering_ = pouring_.enter(comm_, {steps_ + 1, deck_.run.seed, gravity_}, particles_, walls_);
+  return entering_.size() > 0;
+}
+
+/// Adds the particles that enter to those of the rank whose part of the domain they are in, without contacts.
+void Simulation::admit(ContactMemory& memory) {
+  if (entering_.size() == 0) return;
+  particles_.record.resize(particles_.owned);  // the ghosts and dummies are of the old lists
+  particles_.id.resize(particles_.owned);
+  particles_.material.resize(particles_.owned);
+  for (std::size_t i = 0; i < entering_.size(); ++i) {
+    if (decomposition_.owner(entering_.position[i]) != comm_.rank()) continue;
+    append_particle(entering_, i, particles_);
+    memory.pairs.append_row({});
+    memory.walls.append_row({});
+  }
+  particles_.owned = particles_.id.size();
+  entering_ = {};
+}
+
+bool Simulation::awaits_particles() const {
+  return pouring_.is_under_way(steps_) || (inserted() == 0 && !pouring_.is_complete());
 }
 
 /// Lists that hold every contact of this step, and the ghosts on their way.
@@ -170,6 +202,7 @@ void Simulation::rebuild_lists() {
   if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
   balance();
   pairs_.clear();  // a large bed has no room for the old lists beside the new ones
+  admit(memory);
   migrate(comm_, decomposition_, particles_, memory);
   set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
   held_.list(particles_);
@@ -190,6 +223,7 @@ void Simulation::rebuild_lists() {
   select_near();
   parked_ = 0;
   ++counters_.rebuilds;
+  counters_.peak_ghosts = std::max(counters_.peak_ghosts, static_cast<std::int64_t>(particles_.ghosts()));
 }
 
 /// Held particles feel neither one another nor walls.

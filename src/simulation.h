@@ -15,6 +15,7 @@
 #include "integration/time_step.h"
 #include "neighbours/pair_lists.h"
 #include "neighbours/skin_watch.h"
+#include "pouring.h"
 #include "scene/insertion.h"
 #include "scene/mass_unit.h"
 #include "scene/materials.h"
@@ -30,6 +31,7 @@ struct RunCounters {
   std::int64_t inner_selections = 0;  ///< of the inner lists alone
   std::int64_t bisections = 0;        ///< new decompositions
   double imbalance = 1.0;             ///< cost of the busiest rank over the mean, at the last rebuild
+  std::int64_t peak_ghosts = 0;       ///< most ghosts at a time
 };
 
 /// One DEM simulation on the ranks of a communicator: state and time loop. It opens no file; phases, measurements and
@@ -75,7 +77,12 @@ class Simulation {
   const StageClock& clock() const { return clock_; }
   /// Bytes this rank holds for its particles, ghosts, neighbour lists and contact histories.
   std::size_t memory_bytes() const;
-  std::int64_t inserted() const { return inserted_; }
+  /// Particles that have entered so far, those of the start and those poured; planned() counts all that ever will.
+  std::int64_t inserted() const { return inserted_at_start_ + pouring_.entered(); }
+  std::int64_t planned() const { return planned_; }
+  /// Whether particles are being poured, or none has come yet though some will: a phase must not take this for rest.
+  bool awaits_particles() const;
+  const std::vector<SizeReport>& sizes() const { return sizes_; }  ///< of the blocks with [particles.sizes]
   std::int64_t steps() const { return steps_; }
   double time() const { return static_cast<double>(steps_) * time_step_.step; }
   /// A warning for the user that came up since the last call, on all ranks alike.
@@ -89,6 +96,8 @@ class Simulation {
   double tilt_rate() const { return deck_.tilt.enabled ? deck_.tilt.angular_velocity : 0.0; }
   void set_wall_skins();
   void move_scene();
+  bool pour();
+  void admit(ContactMemory& memory);
   void rebuild_lists();
   void balance();
   void check_time_step();
@@ -106,7 +115,11 @@ class Simulation {
   std::vector<Wall> walls_;
   TimeStep time_step_;
   Particles particles_;
-  std::int64_t inserted_ = 0;
+  std::int64_t inserted_at_start_ = 0;
+  std::int64_t planned_ = 0;
+  std::vector<SizeReport> sizes_;
+  Pouring pouring_;
+  NewParticles entering_;  ///< poured at this step, until the rebuild admits them
   MassUnit mass_unit_{1.0};
   ExitCount left_;
   std::size_t parked_ = 0;  ///< of the owned particles, until the next rebuild drops them

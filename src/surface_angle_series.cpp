@@ -23,7 +23,7 @@ SurfaceAngleSeries::SurfaceAngleSeries(const Simulation& simulation, const std::
 
 void SurfaceAngleSeries::sample(const Simulation& simulation) {
   const ParticleTable table =
-      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.inserted());
+      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
   const std::vector<Sphere> grains = gather_spheres(simulation.comm(), table);
   agree_after_root(simulation.comm(), [&] {
     const auto angle = surface_angle(simulation.deck().surface_angle, simulation.gravity(), grains);

@@ -4,6 +4,13 @@
 #include <cstdint>
 
 namespace repose {
+namespace {
+
+// ln 2 in two parts: the first has trailing zeros, so that its multiples are exact
+constexpr double ln2_high = 6.93147180369123816490e-01;
+constexpr double ln2_low = 1.90821492927058770002e-10;
+
+}  // namespace
 
 double log_reproducible(double x) {
   int exponent = 0;
@@ -17,9 +24,6 @@ double log_reproducible(double x) {
   const double s2 = s * s;
   double series = 0.0;
   for (int k = 23; k >= 3; k -= 2) series = s2 * (series + 1.0 / k);
-  // ln 2 in two parts: the first has trailing zeros, so that its multiples are exact
-  constexpr double ln2_high = 6.93147180369123816490e-01;
-  constexpr double ln2_low = 1.90821492927058770002e-10;
   const double e = exponent;
   return e * ln2_high + (2.0 * s + (2.0 * s * series + e * ln2_low));
 }
@@ -51,6 +55,14 @@ SineCosine sin_cos_reproducible(double angle) {
     default:
       return {-cosine, sine};
   }
+}
+
+double exp_reproducible(double x) {
+  const double n = std::floor(x / (ln2_high + ln2_low) + 0.5);
+  const double r = (x - n * ln2_high) - n * ln2_low;  // |r| <= ln 2 / 2: the series ends below half an ulp
+  double series = 1.0;
+  for (int k = 14; k >= 2; --k) series = 1.0 + r / k * series;
+  return std::ldexp(1.0 + r * series, static_cast<int>(n));
 }
 
 double fifth_root(double x) {

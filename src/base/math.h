@@ -15,6 +15,9 @@ struct SineCosine {
 };
 SineCosine sin_cos_reproducible(double angle);
 
+/// e^x for x that neither overflows nor underflows, within 2 ulp, by arithmetic only.
+double exp_reproducible(double x);
+
 /// x^(1/5) for x > 0, within 2 ulp, by arithmetic only (Newton's iteration from a power of two).
 double fifth_root(double x);
 

@@ -21,7 +21,12 @@ constexpr std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> c
 }
 
 /// What a random number is drawn for; each use has its own stream.
-enum class RandomStream : std::uint32_t { insertion_jitter = 0 };
+enum class RandomStream : std::uint32_t {
+  insertion_jitter = 0,
+  particle_size = 1,
+  fill_position = 2,
+  pour_position = 3
+};
 
 /// The k-th number of a particle in a stream, uniform in [0, 1) with 53 bits. A function of its arguments alone, so
 /// that it does not depend on the decomposition.

@@ -78,6 +78,8 @@ class Communicator {
   void max_elements(std::span<T> values) const {
     reduce(values, MPI_MAX);
   }
+  /// Bits that any rank has set.
+  void or_elements(std::span<std::uint64_t> values) const { reduce(values, MPI_BOR); }
   /// Sum over the ranks below this one.
   std::int64_t exclusive_sum(std::int64_t value) const;
 

@@ -56,7 +56,7 @@ void check_materials(const Deck& deck, const std::vector<std::string>& materials
     check_material(element("wall", i, "material"), deck.walls[i].material, materials, errors);
   }
   for (std::size_t i = 0; i < deck.particles.size(); ++i) {
-    if (deck.particles[i].type != ParticlesType::fill) continue;
+    if (comes_from_file(deck.particles[i].type)) continue;
     check_material(element("particles", i, "material"), deck.particles[i].material, materials, errors);
   }
 }
@@ -80,52 +80,16 @@ void check_pairs(const Deck& deck, DeckErrors& errors) {
         fmt::format("no [[pair]] for \"{0}\" and \"{1}\", which can touch; add materials = [\"{0}\", \"{1}\"]", a, b));
   };
   for (std::size_t i = 0; i < deck.particles.size(); ++i) {
-    if (deck.particles[i].type != ParticlesType::fill) continue;  // the materials of a list are known once it is read
+    if (comes_from_file(deck.particles[i].type)) continue;  // the materials of a list are known once it is read
     const std::string& material = deck.particles[i].material;
     for (std::size_t j = 0; j <= i; ++j) {
-      if (deck.particles[j].type != ParticlesType::fill) continue;
+      if (comes_from_file(deck.particles[j].type)) continue;
       check_given(element("particles", i, "material"), material, deck.particles[j].material);
     }
     for (std::size_t w = 0; w < deck.walls.size(); ++w) {
       check_given(element("wall", w, "material"), material, deck.walls[w].material);
     }
   }
-}
-
-void check_box(const std::string& section, const Vec3& min, const Vec3& max, DeckErrors& errors) {
-  if (min.x < max.x && min.y < max.y && min.z < max.z) return;
-  errors.add(section + ".max", "\"max\" must be greater than \"min\" in x, y and z");
-}
-
-/// The box around the region of a fill.
-DomainDeck bounds(const ParticlesDeck& p) {
-  if (p.region == RegionShape::box) return {p.min, p.max};
-  const double r = std::max(p.radius, p.radius_top);
-  return {{p.centre.x - r, p.centre.y - r, p.centre.z}, {p.centre.x + r, p.centre.y + r, p.centre.z + p.height}};
-}
-
-void check_fill(std::size_t i, const Deck& deck, DeckErrors& errors) {
-  const ParticlesDeck& p = deck.particles[i];
-  const std::string section = fmt::format("particles.{}", i);
-  const bool has_mass = p.mass > 0.0;
-  const bool has_count = p.count > 0;
-  if (has_mass && has_count) errors.add(section + ".count", "\"mass\" and \"count\" are both given; remove one");
-  if (!has_mass && !has_count) errors.add(section, "[[particles]] lacks \"mass\" or \"count\"; give one of them");
-  if (p.spacing < p.diameter) {
-    errors.add(section + ".spacing",
-               fmt::format("\"spacing\" = {} is less than the diameter {}", p.spacing, p.diameter));
-  }
-  if (p.region == RegionShape::box) check_box(section, p.min, p.max, errors);
-  const DomainDeck box = bounds(p);
-  const Vec3 size = box.max - box.min;
-  if (p.diameter > std::min({size.x, size.y, size.z})) {
-    errors.add(section + ".diameter", fmt::format("\"diameter\" = {} is larger than the region", p.diameter));
-  }
-  const Vec3& low = deck.domain.min;
-  const Vec3& high = deck.domain.max;
-  const bool is_inside = box.min.x >= low.x && box.min.y >= low.y && box.min.z >= low.z && box.max.x <= high.x &&
-                         box.max.y <= high.y && box.max.z <= high.z;
-  if (!is_inside) errors.add(section + ".region", "the region reaches beyond the [domain]; enlarge the domain");
 }
 
 void check_measurement(const Deck& deck, DeckErrors& errors) {
@@ -144,6 +108,11 @@ void check_measurement(const Deck& deck, DeckErrors& errors) {
 
 }  // namespace
 
+void check_box(const std::string& section, const Vec3& min, const Vec3& max, DeckErrors& errors) {
+  if (min.x < max.x && min.y < max.y && min.z < max.z) return;
+  errors.add(section + ".max", "\"max\" must be greater than \"min\" in x, y and z");
+}
+
 void check_deck(const Deck& deck, DeckErrors& errors) {
   check_box("domain", deck.domain.min, deck.domain.max, errors);
   const std::vector<std::string> materials = check_names("material", deck.materials, errors);
@@ -153,9 +122,7 @@ void check_deck(const Deck& deck, DeckErrors& errors) {
   check_materials(deck, materials, errors);
   if (errors.count() == errors_before) check_pairs(deck, errors);  // a misspelled material would lack its pairs as well
   check_wall_shapes(deck, errors);
-  for (std::size_t i = 0; i < deck.particles.size(); ++i) {
-    if (deck.particles[i].type == ParticlesType::fill) check_fill(i, deck, errors);
-  }
+  check_particles(deck, errors);
   check_phases(deck, errors);
   check_motions(deck, errors);
   check_measurement(deck, errors);

@@ -18,4 +18,10 @@ void check_phases(const Deck& deck, DeckErrors& errors);
 /// Axes and phases of motions and of the tilt, and what the measurements of both need (a part of check_deck).
 void check_motions(const Deck& deck, DeckErrors& errors);
 
+/// The blocks of particles: amounts, regions, sizes (a part of check_deck).
+void check_particles(const Deck& deck, DeckErrors& errors);
+
+/// That a box [min, max] of a section has a volume (a part of check_deck).
+void check_box(const std::string& section, const Vec3& min, const Vec3& max, DeckErrors& errors);
+
 }  // namespace repose

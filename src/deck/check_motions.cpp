@@ -55,6 +55,9 @@ void check_motions(const Deck& deck, DeckErrors& errors) {
     const ParticlesDeck& block = deck.particles[i];
     const std::string section = fmt::format("particles.{}", i);
     check_motion_list(section, block.motions, deck, errors);
+    if (is_held(block) && block.type == ParticlesType::pour) {
+      errors.add(section + ".type", "poured particles can be neither \"fixed\" nor on a [[particles.motion]]");
+    }
     if (block.fixed && !block.motions.empty()) {
       errors.add(section + ".fixed", "\"fixed\" particles stay in place; remove it or the [[particles.motion]]");
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,29 +48,30 @@ class Documenter {
   template <class S>
   void section(std::string_view name, S& value, const Presence& presence, std::string_view meaning) {
     begin(fmt::format("[{}{}]", group_, name), presence, meaning);
-    inside(name, [&] { describe(*this, value); });
+    describe_inside(name, value);
   }
 
   template <class S>
   void sections(std::string_view name, std::vector<S>&, const Presence& presence, std::string_view meaning) {
     begin(fmt::format("[[{}{}]]", group_, name), presence, meaning);
     S one;
-    inside(name, [&] { describe(*this, one); });
+    describe_inside(name, one);
   }
 
   template <class F>
   void group(std::string_view name, F&& visit) {
-    inside(name, [&] { visit(*this); });
+    group_ = fmt::format("{}.", name);
+    visit(*this);
+    group_.clear();
   }
 
   std::string text() const;
 
  private:
-  template <class F>
-  void inside(std::string_view name, F&& write) {
-    const std::string outer = group_;
-    group_ += fmt::format("{}.", name);
-    write();
+  template <class S>
+  void describe_inside(std::string_view name, S& value) {
+    const std::string outer = std::exchange(group_, fmt::format("{}{}.", group_, name));
+    describe(*this, value);
     group_ = outer;
   }
   void begin(const std::string& title, const Presence& presence, std::string_view meaning) {

@@ -37,9 +37,9 @@ void set_default(double& value, double fallback) {
 
 void resolve_defaults(Deck& deck) {
   for (ParticlesDeck& p : deck.particles) {
-    if (p.type != ParticlesType::fill) continue;
-    set_default(p.spacing, 1.1 * p.diameter);
-    if (p.region == RegionShape::cylinder) set_default(p.radius_top, p.radius);
+    if (comes_from_file(p.type)) continue;
+    if (p.type == ParticlesType::fill) set_default(p.spacing, 1.1 * p.diameter);
+    if (p.region == RegionShape::cylinder && p.counts.empty()) set_default(p.radius_top, p.radius);
   }
   if (!deck.angle_of_repose.enabled) return;
   set_default(deck.angle_of_repose.max_height,

@@ -47,6 +47,18 @@ std::string number_kind(Unit unit) {
 
 }  // namespace
 
+std::string without_indices(std::string_view path) {
+  std::string names;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string_view part = path.substr(begin, end - begin);
+    const bool is_index = part.find_first_not_of("0123456789") == std::string_view::npos;
+    if (!is_index) names += (names.empty() ? "" : ".") + std::string(part);
+    begin = end + 1;
+  }
+  return names;
+}
+
 Reader::Reader(const toml::table& root, const Overridden& overridden, DeckErrors& errors)
     : overridden_(overridden), errors_(errors) {
   levels_.push_back({&root, "", "the deck", errors.count(), {}, {}, false});

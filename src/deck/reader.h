@@ -13,6 +13,9 @@
 
 namespace repose {
 
+/// "particles.sizes" for "particles.0.sizes": a section as the deck writes it.
+std::string without_indices(std::string_view path);
+
 /// Where the command line replaced something: full key -> text of --set.
 using Overridden = std::map<std::string, std::string>;
 
@@ -40,7 +43,7 @@ class Reader {
     if (node == nullptr) return;
     if constexpr (requires { value.enabled; }) value.enabled = true;
     const std::string path = child(levels_.back().path, name);
-    if (enter(*node, path, "[" + path + "]")) {
+    if (enter(*node, path, "[" + without_indices(path) + "]")) {
       describe(*this, value);
       leave();
     }

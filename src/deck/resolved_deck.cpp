@@ -1,5 +1,7 @@
 #include "deck/resolved_deck.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "deck/schema.h"
@@ -18,9 +20,9 @@ class Writer {
   }
 
   template <class S>
-  void section(std::string_view name, S& value, const Presence&, std::string_view) {
+  void section(std::string_view name, S& value, const Presence& presence, std::string_view) {
     if constexpr (requires { value.enabled; }) {
-      if (!value.enabled) return;
+      if (!value.enabled || !presence.applies) return;
     }
     text_ += fmt::format("\n[{}{}]\n", group_, name);
     describe_inside(name, value);
@@ -36,22 +38,19 @@ class Writer {
 
   template <class F>
   void group(std::string_view name, F&& visit) {
-    inside(name, [&] { visit(*this); });
+    group_ = fmt::format("{}.", name);
+    visit(*this);
+    group_.clear();
   }
 
   const std::string& text() const { return text_; }
 
  private:
-  template <class F>
-  void inside(std::string_view name, F&& write) {
-    const std::string outer = group_;
-    group_ += fmt::format("{}.", name);
-    write();
-    group_ = outer;
-  }
   template <class S>
   void describe_inside(std::string_view name, S& value) {
-    inside(name, [&] { describe(*this, value); });
+    const std::string outer = std::exchange(group_, fmt::format("{}{}.", group_, name));
+    describe(*this, value);
+    group_ = outer;
   }
 
   std::string text_;

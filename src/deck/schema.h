@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deck/schema_measurement.h"
+#include "deck/schema_particles.h"
 #include "deck/schema_run.h"
 #include "deck/schema_scene.h"
 

@@ -72,43 +72,4 @@ void describe(V& v, WallDeck& w) {
   v.sections("motion", w.motions, optional, "moves the wall; several are applied one after the other");
 }
 
-template <class V>
-void describe(V& v, ParticlesDeck& p) {
-  v("type", p.type, Unit::none, any_value, required, "fill: a jittered lattice in a region; csv: a list");
-  const bool is_fill = p.type == ParticlesType::fill;
-  v("file", p.file, Unit::none, any_value, required.when(!is_fill, "type = csv"),
-    "path from the deck's folder; columns x,y,z,vx,vy,vz,wx,wy,wz,radius,material");
-  v("material", p.material, Unit::none, any_value, required.when(is_fill, "type = fill"), "name of the material");
-  v("diameter", p.diameter, Unit::metre, above(0), required.when(is_fill, "type = fill"), "diameter of the spheres");
-  v("mass", p.mass, Unit::kilogram, above(0), optional_else("none; this or count").when(is_fill, "type = fill"),
-    "total mass, to within one particle");
-  v("count", p.count, Unit::none, at_least(1), optional_else("none; this or mass").when(is_fill, "type = fill"),
-    "number of particles");
-  describe_region(v, p, is_fill);
-  v("spacing", p.spacing, Unit::metre, above(0), optional_else("1.1 diameters").when(is_fill, "type = fill"),
-    "lattice constant, at least the diameter");
-  v("jitter", p.jitter, Unit::none, from_to(0, 1), optional.when(is_fill, "type = fill"),
-    "share of the free gap by which a particle may be moved");
-  v("velocity", p.velocity, Unit::speed, any_value, optional.when(is_fill, "type = fill"), "initial velocity");
-  v("fixed", p.fixed, Unit::none, any_value, optional, "held in place, as if glued; of infinite mass");
-  v("rotation_blocked", p.rotation_blocked, Unit::none, any_value, optional, "the particles move but never turn");
-  v.sections("motion", p.motions, optional, "moves the particles along a prescribed path, whatever they touch");
-}
-
-template <class V>
-void describe_region(V& v, ParticlesDeck& p, bool is_fill) {
-  v("region", p.region, Unit::none, any_value, required.when(is_fill, "type = fill"),
-    "shape of the region; a cylinder is upright (z)");
-  const bool is_cylinder = is_fill && p.region == RegionShape::cylinder;
-  const bool is_box = is_fill && p.region == RegionShape::box;
-  v("centre", p.centre, Unit::metre, any_value, required.when(is_cylinder, "region = cylinder"),
-    "centre of the bottom");
-  v("radius", p.radius, Unit::metre, above(0), required.when(is_cylinder, "region = cylinder"), "radius at the bottom");
-  v("radius_top", p.radius_top, Unit::metre, above(0), optional_else("radius").when(is_cylinder, "region = cylinder"),
-    "radius at the top (a cone frustum)");
-  v("height", p.height, Unit::metre, above(0), required.when(is_cylinder, "region = cylinder"), "height");
-  v("min", p.min, Unit::metre, any_value, required.when(is_box, "region = box"), "lowest corner");
-  v("max", p.max, Unit::metre, any_value, required.when(is_box, "region = box"), "highest corner");
-}
-
 }  // namespace repose

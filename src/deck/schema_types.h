@@ -56,13 +56,22 @@ constexpr Presence optional_else(std::string_view fallback) { return {.fallback 
 constexpr auto enumerators(WallType) {
   return std::array<std::string_view, 4>{"profile", "plane", "disc", "rectangle"};
 }
-constexpr auto enumerators(ParticlesType) { return std::array<std::string_view, 2>{"fill", "csv"}; }
-constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 2>{"cylinder", "box"}; }
 constexpr auto enumerators(PhaseUntil) {
   return std::array<std::string_view, 4>{"kinetic_energy", "time", "steps", "tilt_onset"};
 }
 constexpr auto enumerators(MotionType) {
   return std::array<std::string_view, 3>{"translation", "oscillation", "rotation"};
+}
+constexpr auto enumerators(SizesType) {
+  return std::array<std::string_view, 5>{"classes", "lognormal", "weibull", "uniform", "csv"};
+}
+constexpr auto enumerators(Weighting) { return std::array<std::string_view, 2>{"mass", "number"}; }
+constexpr auto enumerators(ParticlesType) {
+  return std::array<std::string_view, 5>{"fill", "lattice", "csv", "snapshot", "pour"};
+}
+constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 3>{"cylinder", "box", "disc"}; }
+constexpr auto enumerators(LatticeType) {
+  return std::array<std::string_view, 3>{"simple_cubic", "body_centred", "face_centred"};
 }
 constexpr auto enumerators(Camera) { return std::array<std::string_view, 2>{"orthographic", "perspective"}; }
 

@@ -25,6 +25,8 @@ constexpr Symbol density[] = {{"kg/m3", 0}, {"g/cm3", 3}, {"t/m3", 3}, {"g/m3", 
 constexpr Symbol speed[] = {{"m/s", 0}, {"km/s", 3}, {"cm/s", -2}, {"mm/s", -3}, {"um/s", -6}};
 constexpr Symbol acceleration[] = {{"m/s2", 0}, {"cm/s2", -2}, {"mm/s2", -3}};
 constexpr Symbol joule[] = {{"J", 0}, {"kJ", 3}, {"mJ", -3}, {"uJ", -6}, {"nJ", -9}, {"pJ", -12}, {"fJ", -15}};
+constexpr Symbol mass_rate[] = {{"kg/s", 0}, {"t/s", 3}, {"g/s", -3}, {"mg/s", -6}};
+constexpr Symbol per_second[] = {{"1/s", 0}, {"1/ms", 3}};
 
 constexpr Symbol hertz[] = {{"Hz", 0}, {"kHz", 3}};
 constexpr Symbol angular_speed[] = {{"rad/s", 0}, {"deg/s", 0, pi / 180.0}, {"rpm", 0, pi / 30.0}};
@@ -58,6 +60,10 @@ Dimension dimension(Unit unit) {
       return {"a frequency", hertz};
     case Unit::angular_speed:
       return {"an angular speed", angular_speed};
+    case Unit::mass_rate:
+      return {"a mass per time", mass_rate};
+    case Unit::per_second:
+      return {"a number per time", per_second};
   }
   return {"a number", {}};
 }

@@ -6,7 +6,21 @@
 namespace repose {
 
 /// The SI unit of a key.
-enum class Unit { none, metre, second, kilogram, pascal, density, speed, acceleration, joule, hertz, angular_speed };
+enum class Unit {
+  none,
+  metre,
+  second,
+  kilogram,
+  pascal,
+  density,
+  speed,
+  acceleration,
+  joule,
+  mass_rate,
+  per_second,
+  hertz,
+  angular_speed
+};
 
 /// The SI symbol, such as "kg/m3"; "-" for a number without a unit.
 std::string_view symbol(Unit unit);

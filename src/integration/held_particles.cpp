@@ -4,19 +4,20 @@
 
 namespace repose {
 
-HeldParticles::HeldParticles(const Deck& deck, const NewParticles& all) {
+HeldParticles::HeldParticles(const Deck& deck, const Insertion& insertion) {
   for (std::size_t b = 0; b < deck.particles.size(); ++b) {
-    const ParticlesDeck& block = deck.particles[b];
-    if (!is_held(block) && !block.rotation_blocked) continue;
-    const auto begin = all.position.begin() + static_cast<std::ptrdiff_t>(all.block_begin[b]);
-    const auto end = all.position.begin() + static_cast<std::ptrdiff_t>(all.block_begin[b + 1]);
-    blocks_.push_back({.first = static_cast<std::int64_t>(all.block_begin[b]),
-                       .end = static_cast<std::int64_t>(all.block_begin[b + 1]),
-                       .held = is_held(block),
-                       .rotation_blocked = block.rotation_blocked,
-                       .start = block.motions.empty() ? std::vector<Vec3>{} : std::vector<Vec3>(begin, end),
-                       .motions = Motions(block.motions),
-                       .placement = {}});
+    const ParticlesDeck& deck_block = deck.particles[b];
+    if (!is_held(deck_block) && !deck_block.rotation_blocked) continue;
+    Block block = {.first = insertion.block_begin[b],
+                   .end = insertion.block_begin[b + 1],
+                   .held = is_held(deck_block),
+                   .start = {},
+                   .motions = Motions(deck_block.motions),
+                   .placement = {}};
+    for (std::size_t i = 0; i < insertion.now.size() && !block.motions.empty(); ++i) {
+      if (block.contains(insertion.now.id[i])) block.start.push_back(insertion.now.position[i]);
+    }
+    blocks_.push_back(std::move(block));
   }
 }
 
@@ -30,7 +31,7 @@ void HeldParticles::list(Particles& particles) {
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const std::int64_t id = particles.id[i];
     const auto block =
-        std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return id >= b.first && id < b.end; });
+        std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return b.contains(id); });
     if (block == blocks_.end()) continue;
     particles.torque_to_acceleration[i] = 0.0;
     if (!block->held) continue;

@@ -15,7 +15,8 @@ namespace repose {
 /// Integration treats them like all others, then they are put back to where they have to be.
 class HeldParticles {
  public:
-  HeldParticles(const Deck& deck, const NewParticles& all);
+  HeldParticles() = default;
+  HeldParticles(const Deck& deck, const Insertion& insertion);
 
   void begin_phase(const std::string& phase);
   /// Finds them among the owned particles of this rank, and makes forces or torques without effect on them. To be
@@ -33,10 +34,12 @@ class HeldParticles {
   /// A block of the deck with particles first to end - 1.
   struct Block {
     std::int64_t first, end;
-    bool held, rotation_blocked;
+    bool held;  ///< else only its rotation is blocked
     std::vector<Vec3> start;  ///< m, where they begin, when they have motions
     Motions motions;
     Placement placement;
+
+    bool contains(std::int64_t id) const { return id >= first && id < end; }
   };
   struct Held {
     std::size_t index;  ///< of the particle

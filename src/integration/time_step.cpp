@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/math.h"
 #include "scene/motion.h"
+#include "scene/region.h"
 #include "scene/sphere.h"
 
 namespace repose {
@@ -80,6 +81,12 @@ double expected_speed(const Deck& deck, const NewParticles& particles) {
     const double fall = deck.tilt.enabled ? norm(g) * norm(max - min)  // gravity may come to point anywhere
                                           : dot(g, lowest - particles.position[i]);  // g times height
     greatest_square = std::max(greatest_square, squared_norm(particles.velocity[i]) + 2.0 * fall);
+  }
+  for (const ParticlesDeck& pour : deck.particles) {
+    if (pour.type != ParticlesType::pour) continue;
+    const auto [bottom, top] = bounds(pour);
+    const Vec3 highest = {g.x > 0.0 ? bottom.x : top.x, g.y > 0.0 ? bottom.y : top.y, g.z > 0.0 ? bottom.z : top.z};
+    greatest_square = std::max(greatest_square, squared_norm(pour.velocity) + 2.0 * dot(g, lowest - highest));
   }
   return std::sqrt(greatest_square);
 }

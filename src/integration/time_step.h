@@ -16,8 +16,8 @@ double rayleigh_time(double radius, const Material& material);
 double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff, double speed);
 
 /// Speed in m/s that the deck expects at most: given, or the greatest that any particle can reach in free fall along
-/// gravity from where and as fast as it starts to the far side of the domain, or that a wall or a particle on a
-/// prescribed path has.
+/// gravity from where and as fast as it starts, or will be poured, to the far side of the domain, or that a wall or a
+/// particle on a prescribed path has.
 double expected_speed(const Deck& deck, const NewParticles& particles);
 
 /// The time step and what limits it, all in s; hertz_limit_at_1 is the Hertz criterion at 1 m/s (it scales as

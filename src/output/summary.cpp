@@ -17,7 +17,32 @@ Json number(std::optional<double> value) { return value && std::isfinite(*value)
 Json particles_json(const Summary& summary) {
   Json exits = Json::object();
   for (const ExitSummary& exit : summary.exits) exits[exit.face] = exit.particles;
-  return {{"inserted", summary.inserted}, {"inside", summary.inside}, {"left", summary.left}, {"exits", exits}};
+  return {{"planned", summary.planned},
+          {"inserted", summary.inserted},
+          {"inside", summary.inside},
+          {"left", summary.left},
+          {"exits", exits}};
+}
+
+Json figures_json(const SizeFigures& figures) {
+  return {{"d10_m", figures.d10},
+          {"d50_m", figures.d50},
+          {"d90_m", figures.d90},
+          {"mean_m", figures.mean},
+          {"mass_shares", figures.mass_shares}};
+}
+
+Json sizes_json(const std::vector<SizeReport>& sizes) {
+  Json list = Json::array();
+  for (const SizeReport& report : sizes) {
+    Json classes = Json::array();
+    for (const SizeClass& c : report.classes) classes.push_back({c.from, c.to});
+    list.push_back({{"block", report.block},
+                    {"classes_m", classes},
+                    {"asked", figures_json(report.asked)},
+                    {"realised", figures_json(report.realised)}});
+  }
+  return list;
 }
 
 Json phases_json(const std::vector<PhaseSummary>& phases) {
@@ -51,7 +76,9 @@ Json lists_json(const Summary& summary) {
   return {{"rebuilds", summary.list_rebuilds},
           {"inner_selections", summary.inner_selections},
           {"listed_pairs_per_particle", number(summary.listed_pairs_per_particle)},
-          {"evaluated_pairs_per_particle", number(summary.evaluated_pairs_per_particle)}};
+          {"evaluated_pairs_per_particle", number(summary.evaluated_pairs_per_particle)},
+          {"ghosts", summary.ghosts},
+          {"most_ghosts_of_a_rank", summary.most_ghosts_of_a_rank}};
 }
 
 Json memory_json(const Summary& summary) {
@@ -76,6 +103,7 @@ std::string summary_json(const Summary& summary) {
       {"timestep_s", number(summary.timestep_s)},
       {"timestep_set_by", summary.timestep_set_by},
       {"particles", particles_json(summary)},
+      {"sizes", sizes_json(summary.sizes)},
       {"state_hash", summary.state_hash},
       {"discharged_mass_kg", number(summary.discharged_mass_kg)},
       {"retained_mass_kg", number(summary.retained_mass_kg)},

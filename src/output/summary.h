@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/build_info.h"
+#include "scene/size_report.h"
 
 namespace repose {
 
@@ -44,10 +45,12 @@ struct Summary {
   double time_s = 0.0;
   double timestep_s = 0.0;
   std::string timestep_set_by;  ///< the criterion
+  std::int64_t planned = 0;     ///< in all; those inserted are the ones that have entered by the end
   std::int64_t inserted = 0;
   std::int64_t inside = 0;
   std::int64_t left = 0;
   std::vector<ExitSummary> exits;
+  std::vector<SizeReport> sizes;  ///< of the blocks with [particles.sizes]
   std::string state_hash;
   std::optional<double> discharged_mass_kg;
   std::optional<double> retained_mass_kg;
@@ -75,6 +78,8 @@ struct Summary {
   std::int64_t inner_selections = 0;          ///< new inner lists between two rebuilds
   double listed_pairs_per_particle = 0.0;     ///< in the outer lists at the end, each pair once per rank that holds it
   double evaluated_pairs_per_particle = 0.0;  ///< the same of the inner lists
+  std::int64_t ghosts = 0;                    ///< of all ranks at the end
+  std::int64_t most_ghosts_of_a_rank = 0;     ///< at any time
   std::int64_t memory_peak_bytes = 0;         ///< resident, of all ranks together
   double memory_bytes_per_particle = 0.0;     ///< of particles, ghosts, neighbour lists and histories
   BuildInfo build;

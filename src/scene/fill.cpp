@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/philox.h"
+#include "scene/region.h"
 #include "scene/sphere.h"
 
 namespace repose {
@@ -24,17 +25,6 @@ struct Lattice {
   Vec3 first;
   std::int64_t nx, ny, nz;
 };
-
-struct Box {
-  Vec3 min;
-  Vec3 max;
-};
-
-Box bounds(const ParticlesDeck& fill) {
-  if (fill.region == RegionShape::box) return {fill.min, fill.max};
-  const double widest = std::isnan(fill.radius_top) ? fill.radius : std::fmax(fill.radius, fill.radius_top);
-  return {fill.centre - Vec3{widest, widest, 0.0}, fill.centre + Vec3{widest, widest, fill.height}};
-}
 
 std::int64_t sites_along(double length, double margin, double spacing) {
   const double free = length - 2.0 * margin;
@@ -64,20 +54,7 @@ Lattice make_lattice(const ParticlesDeck& fill) {
 // construction, and so do its floor and top.
 bool inside(const ParticlesDeck& fill, const Lattice& lattice, const Vec3& site) {
   if (fill.region == RegionShape::box) return true;
-  const double top = std::isnan(fill.radius_top) ? fill.radius : fill.radius_top;
-  const double slope = (top - fill.radius) / fill.height;
-  const double x = std::fabs(site.x - fill.centre.x) + lattice.jitter;
-  const double y = std::fabs(site.y - fill.centre.y) + lattice.jitter;
-  const double narrowest = fill.radius + slope * (site.z - fill.centre.z) - std::fabs(slope) * lattice.jitter;
-  const double reach = 0.5 * fill.diameter * std::sqrt(1.0 + slope * slope);  // of the sphere across the cone's side
-  return std::sqrt(x * x + y * y) + reach <= narrowest + rounding * lattice.spacing;
-}
-
-bool clear_of_walls(const Vec3& centre, double radius, const std::vector<Wall>& walls) {
-  for (const Wall& wall : walls) {
-    if (wall.present && distance(wall, centre) < radius * (1.0 - rounding)) return false;
-  }
-  return true;
+  return inside_side(fill, site, 0.5 * fill.diameter, lattice.jitter, rounding * lattice.spacing);
 }
 
 Vec3 jittered(const Vec3& site, double jitter, std::uint64_t seed, std::int64_t id) {

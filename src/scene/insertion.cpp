@@ -6,17 +6,24 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "deck/schema_types.h"
 #include "scene/fill.h"
+#include "scene/grain_sizes.h"
+#include "scene/lattice.h"
 #include "scene/overlap.h"
 #include "scene/particle_csv.h"
+#include "scene/random_fill.h"
+#include "scene/size_distribution.h"
 
 namespace repose {
 
 namespace {
 
 std::string block_name(const Deck& deck, std::size_t block) {
-  const bool fill = deck.particles[block].type == ParticlesType::fill;
-  return fmt::format("[[particles]] number {} ({})", block + 1, fill ? "fill" : deck.particles[block].file);
+  const ParticlesDeck& p = deck.particles[block];
+  const bool is_named = comes_from_file(p.type);
+  const auto type = enumerators(p.type)[static_cast<std::size_t>(p.type)];
+  return fmt::format("[[particles]] number {} ({})", block + 1, is_named ? std::string_view(p.file) : type);
 }
 
 int material_index(const Deck& deck, const std::string& name, const std::string& block) {
@@ -26,45 +33,114 @@ int material_index(const Deck& deck, const std::string& name, const std::string&
   throw DeckError(fmt::format("{}: no material is named \"{}\"", block, name));
 }
 
-NewParticles filled(const Deck& deck, std::size_t block, std::size_t first_id, const std::vector<Wall>& walls) {
-  const ParticlesDeck& fill = deck.particles[block];
-  const std::string name = block_name(deck, block);
-  const int material = material_index(deck, fill.material, name);
-  const std::int64_t count = fill_count(fill, deck.materials[static_cast<std::size_t>(material)].density, name);
-  NewParticles particles;
-  particles.position = fill_region(fill, count, static_cast<std::int64_t>(first_id), deck.run.seed, walls, name);
-  particles.velocity.assign(particles.size(), fill.velocity);
-  particles.spin.assign(particles.size(), Vec3{});
-  particles.radius.assign(particles.size(), 0.5 * fill.diameter);
-  particles.material.assign(particles.size(), material);
-  return particles;
-}
+/// Gathers the blocks one after the other.
+class Blocks {
+ public:
+  Blocks(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file, const ReadSnapshot& read_snapshot)
+      : deck_(deck), walls_(walls), read_file_(read_file), read_snapshot_(read_snapshot) {}
 
-void append(NewParticles& all, const NewParticles& more) {
-  const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-  add(all.position, more.position);
-  add(all.velocity, more.velocity);
-  add(all.spin, more.spin);
-  add(all.radius, more.radius);
-  add(all.material, more.material);
-}
+  void add(std::size_t block) {
+    const ParticlesDeck& p = deck_.particles[block];
+    switch (p.type) {
+      case ParticlesType::csv:
+        return append(block, parse_particle_csv(read_file_(p.file), p.file, deck_.materials));
+      case ParticlesType::snapshot:
+        return append(block, read_snapshot_(p.file));
+      case ParticlesType::lattice:
+        return append(block, at_start(block, lattice_sites(p, walls_, block_name(deck_, block)), {}));
+      case ParticlesType::fill:
+        return fill(block);
+      case ParticlesType::pour:
+        return pour(block);
+    }
+  }
+
+  Insertion result;
+  std::vector<std::size_t> origin;  ///< block of each particle of result.now
+
+ private:
+  void fill(std::size_t block) {
+    const ParticlesDeck& p = deck_.particles[block];
+    const std::string name = block_name(deck_, block);
+    const std::vector<double> radii = radii_of(block, name);
+    const auto count = static_cast<std::int64_t>(radii.size());
+    append(block, at_start(block,
+                           p.sizes.enabled ? random_fill(p, radii, result.planned, deck_.run.seed, walls_, name)
+                                           : fill_region(p, count, result.planned, deck_.run.seed, walls_, name),
+                           radii));
+  }
+
+  void pour(std::size_t block) {
+    const std::string name = block_name(deck_, block);
+    Pour pour = plan_pour(deck_, block, name, radii_of(block, name), density_of(block, name));
+    pour.first_id = result.planned;
+    pour.material = material_index(deck_, pour.deck.material, name);
+    result.planned += pour.size();
+    result.pours.push_back(std::move(pour));
+  }
+
+  double density_of(std::size_t block, const std::string& name) const {
+    const int material = material_index(deck_, deck_.particles[block].material, name);
+    return deck_.materials[static_cast<std::size_t>(material)].density;
+  }
+
+  /// The radii of a block that is measured out, and their report.
+  std::vector<double> radii_of(std::size_t block, const std::string& name) {
+    const ParticlesDeck& p = deck_.particles[block];
+    const SizeDistribution sizes = make_size_distribution(p, read_file_, name);
+    std::vector<double> radii = draw_radii(p, sizes, density_of(block, name), result.planned, deck_.run.seed, name);
+    if (p.sizes.enabled) result.sizes.push_back(report_sizes(name, sizes, radii));
+    return radii;
+  }
+
+  /// Particles of a block at these places, with these radii or all of its diameter.
+  NewParticles at_start(std::size_t block, const std::vector<Vec3>& position, const std::vector<double>& radii) const {
+    const ParticlesDeck& p = deck_.particles[block];
+    NewParticles particles;
+    particles.position = position;
+    particles.velocity.assign(position.size(), p.velocity);
+    particles.spin.assign(position.size(), Vec3{});
+    particles.radius = radii;
+    particles.radius.resize(position.size(), 0.5 * p.diameter);
+    particles.material.assign(position.size(), material_index(deck_, p.material, block_name(deck_, block)));
+    return particles;
+  }
+
+  void append(std::size_t block, const NewParticles& more) {
+    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    NewParticles& all = result.now;
+    for (std::size_t i = 0; i < more.size(); ++i) all.id.push_back(result.planned++);
+    add(all.position, more.position);
+    add(all.velocity, more.velocity);
+    add(all.spin, more.spin);
+    add(all.radius, more.radius);
+    add(all.material, more.material);
+    origin.resize(all.size(), block);
+  }
+
+  const Deck& deck_;
+  const std::vector<Wall>& walls_;
+  const ReadFile& read_file_;
+  const ReadSnapshot& read_snapshot_;
+};
 
 // Which block each particle came from, for the checks and their messages.
 struct Origin {
   const Deck& deck;
-  std::vector<std::size_t> block;
+  const std::vector<std::size_t>& block;
+  const std::vector<std::int64_t>& id;
 
-  bool is_held(std::size_t id) const { return repose::is_held(deck.particles[block[id]]); }
-  bool is_fill(std::size_t id) const { return deck.particles[block[id]].type == ParticlesType::fill; }
-  std::string describe(std::size_t id) const {
-    return fmt::format("particle {} of {}", id, block_name(deck, block[id]));
+  bool is_held(std::size_t i) const { return repose::is_held(deck.particles[block[i]]); }
+  bool is_made(std::size_t i) const { return !comes_from_file(deck.particles[block[i]].type); }
+  std::string describe(std::size_t i) const {
+    return fmt::format("particle {} of {}", id[i], block_name(deck, block[i]));
   }
 };
 
 // read_deck cannot know the materials of a list; that every two which can touch have a pair is checked here.
-void check_pairs(const NewParticles& particles, const Deck& deck) {
+void check_pairs(const Insertion& insertion, const Deck& deck) {
   std::vector<bool> used(deck.materials.size(), false);
-  for (const int m : particles.material) used[static_cast<std::size_t>(m)] = true;
+  insertion.for_each([&](double, std::size_t material) { used[material] = true; });
   const auto require = [&](const std::string& a, const std::string& b) {
     const bool given = std::any_of(deck.pairs.begin(), deck.pairs.end(), [&](const PairDeck& p) {
       return (p.materials[0] == a && p.materials[1] == b) || (p.materials[0] == b && p.materials[1] == a);
@@ -110,9 +186,9 @@ void check_overlaps(const NewParticles& particles, const Origin& origin) {
     const double smaller = std::min(particles.radius[i], particles.radius[j]);
     const double apart = norm(particles.position[i] - particles.position[j]);
     const double overlap = particles.radius[i] + particles.radius[j] - apart;
-    // A filled block has no overlaps of its own, so any with another block means that their regions intersect.
+    // A block that is filled has no overlaps of its own, so any with another block means that their regions intersect.
     const bool blocks_intersect =
-        origin.block[i] != origin.block[j] && (origin.is_fill(i) || origin.is_fill(j)) && overlap > 1e-9 * smaller;
+        origin.block[i] != origin.block[j] && (origin.is_made(i) || origin.is_made(j)) && overlap > 1e-9 * smaller;
     if (!blocks_intersect && overlap <= origin.deck.guards.max_overlap * smaller) return;
     throw DeckError(fmt::format("{} and {} overlap by {:.3g} m, {:.3g} of the smaller radius; {}", origin.describe(j),
                                 origin.describe(i), overlap, overlap / smaller,
@@ -123,24 +199,22 @@ void check_overlaps(const NewParticles& particles, const Origin& origin) {
 
 }  // namespace
 
-NewParticles insert_particles(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file) {
-  NewParticles all;
-  Origin origin{deck, {}};
+Insertion insert_particles(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file,
+                           const ReadSnapshot& read_snapshot) {
+  Blocks blocks(deck, walls, read_file, read_snapshot);
   for (std::size_t block = 0; block < deck.particles.size(); ++block) {
-    const ParticlesDeck& particles = deck.particles[block];
-    append(all, particles.type == ParticlesType::fill
-                    ? filled(deck, block, all.size(), walls)
-                    : parse_particle_csv(read_file(particles.file), particles.file, deck.materials));
-    origin.block.resize(all.size(), block);
-    all.block_begin.push_back(all.size());
+    blocks.add(block);
+    blocks.result.block_begin.push_back(blocks.result.planned);
   }
-  check_pairs(all, deck);
-  check_domain(all, origin);
-  check_walls(all, origin, walls);
-  check_overlaps(all, origin);
+  NewParticles& now = blocks.result.now;
+  const Origin origin{deck, blocks.origin, now.id};
+  check_pairs(blocks.result, deck);
+  check_domain(now, origin);
+  check_walls(now, origin, walls);
+  check_overlaps(now, origin);
   const auto twin = static_cast<int>(deck.materials.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all.material[i] += origin.is_held(i) ? twin : 0;
-  return all;
+  for (std::size_t i = 0; i < now.size(); ++i) now.material[i] += origin.is_held(i) ? twin : 0;
+  return std::move(blocks.result);
 }
 
 }  // namespace repose

@@ -5,29 +5,41 @@
 #include <vector>
 
 #include "deck/deck.h"
+#include "scene/new_particles.h"
+#include "scene/pour.h"
+#include "scene/read_file.h"
+#include "scene/size_report.h"
 #include "scene/wall.h"
 
 namespace repose {
 
-/// Particles at the start of a run, in the order of their ids 0, 1, 2, ...
-struct NewParticles {
-  std::vector<Vec3> position;  ///< m
-  std::vector<Vec3> velocity;  ///< m/s
-  std::vector<Vec3> spin;      ///< rad/s
-  std::vector<double> radius;  ///< m
-  std::vector<int> material;   ///< index into the MaterialTable: that of the deck, or of the twin of a held one
-  std::vector<std::size_t> block_begin = {0};  ///< the first id of each block of the deck, and the number of all
+/// The particles of a snapshot file named in the deck, without numbers; the same on all ranks.
+using ReadSnapshot = std::function<NewParticles(const std::string&)>;
 
-  std::size_t size() const { return position.size(); }
+/// All that a deck brings in. The blocks [[particles]] own consecutive ranges of numbers, in the order of the deck,
+/// also where they are poured later.
+struct Insertion {
+  NewParticles now;               ///< at the start
+  std::vector<Pour> pours;        ///< later
+  std::vector<SizeReport> sizes;  ///< of the blocks with [particles.sizes]
+  std::int64_t planned = 0;       ///< particles at the start and later
+  std::vector<std::int64_t> block_begin = {0};  ///< the first number of each block of the deck, and of none behind them
+
+  /// Calls visit(radius, material) for every particle, present and planned, in the order of this struct.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (std::size_t i = 0; i < now.size(); ++i) visit(now.radius[i], static_cast<std::size_t>(now.material[i]));
+    for (const Pour& pour : pours) {
+      for (const double radius : pour.radius) visit(radius, static_cast<std::size_t>(pour.material));
+    }
+  }
 };
 
-/// The text of a file named in the deck. On several ranks it must give all of them the same text.
-using ReadFile = std::function<std::string(const std::string&)>;
-
-/// All particles of the deck, the blocks [[particles]] one after the other. A function of its arguments alone: the same
-/// on every rank. DeckError when a block does not fit into its region, a particle is outside the domain, reaches into
-/// another or into a present wall by more than the guard `max_overlap` of the smaller radius, or when filled blocks
-/// overlap with others at all.
-NewParticles insert_particles(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file);
+/// What the blocks [[particles]] of the deck bring in. A function of its arguments alone: the same on every rank.
+/// DeckError when a block does not fit into its region, a particle is outside the domain, reaches into another or into
+/// a present wall by more than the guard `max_overlap` of the smaller radius, or when filled blocks overlap with others
+/// at all.
+Insertion insert_particles(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file,
+                           const ReadSnapshot& read_snapshot = {});
 
 }  // namespace repose

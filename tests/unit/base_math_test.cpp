@@ -55,6 +55,19 @@ TEST(LogReproducible, AgreesWithTheLibraryNearOneAndBelow) {
 
 TEST(LogReproducible, IsExactWhereTheLogarithmIs) { EXPECT_EQ(log_reproducible(1.0), 0.0); }
 
+TEST(ExpReproducible, AgreesWithTheLibrary) {
+  double worst = 0.0;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const double wide = 1400.0 * (draw(i, 0) - 0.5);
+    const double narrow = std::ldexp(draw(i, 1) - 0.5, -static_cast<int>(50.0 * draw(i, 2)));
+    for (const double x : {wide, narrow}) {
+      worst = std::fmax(worst, ulps(exp_reproducible(x), std::exp(static_cast<long double>(x))));
+    }
+  }
+  EXPECT_LE(worst, 2.0);
+  EXPECT_EQ(exp_reproducible(0.0), 1.0);
+}
+
 TEST(FifthRoot, AgreesWithTheLibraryOverAllMagnitudes) {
   double worst = 0.0;
   for (std::uint64_t i = 0; i < 100000; ++i) {

@@ -92,7 +92,7 @@ TEST(DeckErrors, KeysOfAnotherType) {
   expect_messages({
       {"point = [0, 0, -0.05]", "point = [0, 0, -0.05]\nradius = 1",
        "34:1: \"radius\" of [[wall]] is only allowed with type = disc; remove it"},
-      {"count = 100", "file = \"a.csv\"", "53:1: \"file\" of [[particles]] is only allowed with type = csv; remove it"},
+      {"count = 100", "file = \"a.csv\"", "53:1: \"file\" of [[particles]] is only allowed with type = csv, snapshot; remove it"},
       {"count = 100", "max = [1, 1, 1]", "53:1: \"max\" of [[particles]] is only allowed with region = box; remove it"},
       {"time = 1\n", "time = 1\nsteps = 5\n",
        "74:1: \"steps\" of [[phase]] is only allowed with until = steps; remove it"},

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "output/agreement.h"
 #include "output/snapshot.h"
+#include "output/snapshot_reader.h"
 #include "output_samples.h"
 
 namespace repose {
@@ -50,6 +51,45 @@ class SnapshotTest : public ::testing::Test {
   Communicator comm_{MPI_COMM_WORLD};
   ScratchFolder folder_{comm_, "repose_snapshot_test"};
 };
+
+TEST_F(SnapshotTest, ReadsBackWhatWasWritten) {
+  write("back.hdf", sample_table(comm_, 100));
+  const std::string bytes = file_bytes(folder_ / "back.hdf");
+  std::vector<MaterialDeck> materials(3);  // in another order than in the snapshot: glass, steel
+  materials[0].name = "steel";
+  materials[1].name = "wood";
+  materials[2].name = "glass";
+  const NewParticles particles = parse_snapshot(bytes, "back.hdf", materials);
+  const Communicator alone(MPI_COMM_SELF);
+  const ParticleTable table = sample_table(alone, 100);
+  ASSERT_EQ(particles.size(), 100U);
+  for (std::size_t i = 0; i < 100; ++i) {
+    const auto vector = [&](const std::vector<double>& v) { return Vec3{v[3 * i], v[3 * i + 1], v[3 * i + 2]}; };
+    EXPECT_EQ(particles.position[i], vector(table.position));
+    EXPECT_EQ(particles.velocity[i], vector(table.velocity));
+    EXPECT_EQ(particles.spin[i], vector(table.angular_velocity));
+    EXPECT_EQ(particles.radius[i], table.radius[i]);
+    EXPECT_EQ(particles.material[i], i % 2 == 0 ? 2 : 0);
+  }
+}
+
+TEST_F(SnapshotTest, WhatIsNoSnapshotOrHasUnknownMaterialsIsNotRead) {
+  write("back.hdf", sample_table(comm_, 10));
+  const std::string bytes = file_bytes(folder_ / "back.hdf");
+  const std::vector<MaterialDeck> none(1);
+  const auto error_of = [&](const std::string& text) -> std::string {
+    try {
+      parse_snapshot(text, "back.hdf", none);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(error_of(bytes), "back.hdf: no material is named \"glass\"; add it to the deck");
+  EXPECT_EQ(error_of("x,y,z").find("back.hdf: cannot read as a snapshot"), 0U) << error_of("x,y,z");
+  EXPECT_EQ(error_of(bytes.substr(0, bytes.size() / 2)).find("back.hdf: cannot read"), 0U);
+  EXPECT_EQ(error_of("").find("back.hdf: cannot read"), 0U) << error_of("");
+}
 
 TEST_F(SnapshotTest, BytesDoNotDependOnRanksOrBlocks) {
   for (const Blocks blocks : {Blocks::even, Blocks::all_on_last, Blocks::none_on_first}) {

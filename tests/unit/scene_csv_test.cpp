@@ -40,6 +40,17 @@ TEST(ParticleCsv, ReadsEveryColumn) {
   EXPECT_EQ(particles.position[1], (Vec3{-1e-3, 2, 0}));
 }
 
+TEST(ParticleCsv, TheShortHeaderIsForParticlesAtRest) {
+  const NewParticles particles = parse("x,y,z,radius,material\n1,2,3,0.5,steel\n");
+  ASSERT_EQ(particles.size(), 1U);
+  EXPECT_EQ(particles.position[0], (Vec3{1, 2, 3}));
+  EXPECT_EQ(particles.velocity[0], Vec3{});
+  EXPECT_EQ(particles.spin[0], Vec3{});
+  EXPECT_EQ(particles.radius[0], 0.5);
+  EXPECT_EQ(particles.material[0], 1);
+  expect_error("x,y,z,radius,material\n1,2,3,0,0,0,0,0,0,0.5,steel\n", "grains.csv:2: ", "11 fields instead of 5");
+}
+
 TEST(ParticleCsv, KeepsEveryDigit) {
   EXPECT_EQ(parse(header + "0.1000000000000000055,0,0,0,0,0,0,0,0,4.9406564584124654e-324,glass").radius[0], 0x1p-1074);
   EXPECT_EQ(parse(header + "0.30000000000000004,0,0,0,0,0,0,0,0,1,glass").position[0].x, 0.1 + 0.2);

@@ -44,7 +44,7 @@ Deck deck_with(const std::vector<ParticlesDeck>& blocks) {
 }
 
 NewParticles insert(const Deck& deck, const std::string& csv = "", const std::vector<Wall>& walls = {}) {
-  return insert_particles(deck, walls, [&](const std::string&) { return header + csv; });
+  return insert_particles(deck, walls, [&](const std::string&) { return header + csv; }).now;
 }
 
 void expect_error(const Deck& deck, const std::string& csv, const std::string& part,
@@ -61,9 +61,9 @@ TEST(InsertParticles, NumbersTheBlocksOneAfterTheOther) {
   const Deck deck = deck_with({csv_block("ball.csv"), fill_block({}), fill_block({0.2, 0.0, 0.0})});
   std::string asked;
   const NewParticles particles = insert_particles(deck, {}, [&](const std::string& file) {
-    asked = file;
-    return header + "0,0,0.5,1,2,3,4,5,6,0.1,steel\n";
-  });
+                                   asked = file;
+                                   return header + "0,0,0.5,1,2,3,4,5,6,0.1,steel\n";
+                                 }).now;
   EXPECT_EQ(asked, "ball.csv");
   const std::size_t each = 95;  // 0.05 kg of grains of 0.5236 g
   ASSERT_EQ(particles.size(), 1 + 2 * each);

@@ -1,0 +1,53 @@
+"""The same bits on 1 and 4 ranks, and with other lists, for every kind of scene: whole decks in reduced size.
+
+Usage: scenes_test.py EXECUTABLE MPIEXEC SOURCE_DIR
+
+Each line of SCENES is a test: a deck of the input folder, and what reduces it to seconds.
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+
+from repose_runs import Program
+
+COLUMN = ("particles.0.height=12 mm", "phase.settle.min_time=5 ms", "phase.settle.max_time=15 ms",
+          "phase.discharge.min_time=5 ms", "phase.discharge.max_time=15 ms")
+
+SCENES = [
+    ("carbohsp_multi.toml", ("particles.0.mass=0.1 g", *COLUMN)),
+    ("sand_multi.toml", ("particles.0.mass=0.3 g", *COLUMN)),
+    ("sand_mono.toml", ("particles.0.mass=0.3 g", *COLUMN)),
+    ("pour_quick.toml", ("phase.pour.max_time=40 ms",)),
+]
+
+
+class Scenes(unittest.TestCase):
+    program = None
+
+    def compare(self, deck, overrides):
+        with tempfile.TemporaryDirectory() as folder:
+            def run(name, *more, ranks=0):
+                return self.program.run(self.program.deck(deck), os.path.join(folder, name), *overrides, *more,
+                                        ranks=ranks, options=("--quiet",))
+            one = run("one")
+            self.assertGreater(one["particles"]["inside"], 100)
+            for other in (run("four", ranks=4), run("lists", "neighbours.skin=0.1", "neighbours.inner_skin=0.01")):
+                for key in ("state_hash", "steps", "particles", "sizes", "phases"):
+                    self.assertEqual(one[key], other[key])
+
+
+def add_test(deck, overrides):
+    name = "test_" + os.path.splitext(deck)[0]
+    while hasattr(Scenes, name):
+        name += "_"
+    setattr(Scenes, name, lambda self: self.compare(deck, overrides))
+
+
+for scene in SCENES:
+    add_test(*scene)
+
+if __name__ == "__main__":
+    Scenes.program = Program(*sys.argv[1:4])
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -1,6 +1,7 @@
 #include "simulation.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -27,10 +28,17 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       walls_(make_walls(deck, materials_)),
       decomposition_(comm.size()),
       ghosts_(comm) {
+  particles_.periodic = Periodicity(deck_.domain);
+  left_.named_particles.resize(deck_.exits.size());
+  left_.named_mass.resize(deck_.exits.size());
+  open_domain_ = particles_.periodic.open_bounds(deck_.domain);
   const NewParticles all = insert_particles(deck_, walls_, read_file);
   time_step_ = choose_time_step(deck_, materials_, smallest_radii(all, materials_.size()), expected_speed(deck_, all));
-  watch_ = SkinWatch({deck_.neighbours.inner_skin, inner_horizon_steps * time_step_.step},
-                     {deck_.neighbours.skin, outer_horizon_steps * time_step_.step});
+  const double largest =
+      std::accumulate(all.radius.begin(), all.radius.end(), 0.0, [](double a, double b) { return std::max(a, b); });
+  const double longest = longest_skin(particles_.periodic, largest);
+  watch_ = SkinWatch({deck_.neighbours.inner_skin, inner_horizon_steps * time_step_.step, 0.5 * longest},
+                     {deck_.neighbours.skin, outer_horizon_steps * time_step_.step, longest});
   insert(all);
   rebuild_lists();
   evaluate_forces(0.0);
@@ -49,7 +57,8 @@ void Simulation::insert(const NewParticles& all) {
   const auto ranks = static_cast<std::size_t>(comm_.size());
   const auto rank = static_cast<std::size_t>(comm_.rank());
   for (std::size_t i = all.size() * rank / ranks; i < all.size() * (rank + 1) / ranks; ++i) {
-    particles_.record.push_back({all.position[i], all.radius[i], all.velocity[i], 0.0, all.spin[i], 0.0});
+    particles_.record.push_back(
+        {particles_.periodic.on_grid(all.position[i]), all.radius[i], all.velocity[i], 0.0, all.spin[i], 0.0});
     particles_.id.push_back(static_cast<std::int64_t>(i));
     particles_.material.push_back(all.material[i]);
   }
@@ -61,7 +70,7 @@ void Simulation::advance(std::int64_t steps) {
   for (std::int64_t k = 0; k < steps; ++k) {
     clock_.enter(Stage::integration);
     const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
-    const StepNotes notes = halves(level_, deck_.gravity, dt, deck_.domain, watch_.inner_marks(), particles_);
+    const StepNotes notes = halves(level_, deck_.gravity, dt, open_domain_, watch_.inner_marks(), particles_);
     if (notes.outside > parked_) count_leavers(notes.outside);
     renew_lists(agreed_list_state(notes.skin_used_up));
     evaluate_forces(dt);
@@ -102,7 +111,7 @@ void Simulation::select_near() {
 }
 
 void Simulation::count_leavers(std::size_t outside) {
-  retire_leavers(deck_.domain, materials_, mass_unit_, particles_, left_);
+  retire_leavers(open_domain_, deck_.exits, materials_, mass_unit_, particles_, left_);
   watch_.ignore_parked(particles_);
   parked_ = outside;
 }
@@ -122,6 +131,7 @@ Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
 }
 
 void Simulation::rebuild_lists() {
+  wrap_positions(particles_);
   ContactMemory memory = {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)};
   if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
   balance();

@@ -93,6 +93,7 @@ class Simulation {
   MaterialTable materials_;
   std::vector<Wall> walls_;
   TimeStep time_step_;
+  DomainDeck open_domain_;  ///< without bounds in periodic directions
   Particles particles_;
   std::int64_t inserted_ = 0;
   MassUnit mass_unit_{1.0};

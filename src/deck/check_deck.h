@@ -15,4 +15,7 @@ void check_wall_shapes(const Deck& deck, DeckErrors& errors);
 /// Conditions of the phases and the order in which they add and remove walls (a part of check_deck).
 void check_phases(const Deck& deck, DeckErrors& errors);
 
+/// Periodic directions and named exits (a part of check_deck).
+void check_domain(const Deck& deck, DeckErrors& errors);
+
 }  // namespace repose

@@ -16,8 +16,16 @@ Json number(std::optional<double> value) { return value && std::isfinite(*value)
 
 Json particles_json(const Summary& summary) {
   Json exits = Json::object();
-  for (const ExitSummary& exit : summary.exits) exits[exit.face] = exit.particles;
-  return {{"inserted", summary.inserted}, {"inside", summary.inside}, {"left", summary.left}, {"exits", exits}};
+  Json masses = Json::object();
+  for (const ExitSummary& exit : summary.exits) {
+    exits[exit.name] = exit.particles;
+    masses[exit.name] = number(exit.mass_kg);
+  }
+  return {{"inserted", summary.inserted},
+          {"inside", summary.inside},
+          {"left", summary.left},
+          {"exits", exits},
+          {"exit_mass_kg", masses}};
 }
 
 Json phases_json(const std::vector<PhaseSummary>& phases) {

@@ -9,6 +9,7 @@
 #include "scene/fill.h"
 #include "scene/overlap.h"
 #include "scene/particle_csv.h"
+#include "scene/periodicity.h"
 
 namespace repose {
 
@@ -82,7 +83,7 @@ void check_pairs(const NewParticles& particles, const Deck& deck) {
 }
 
 void check_domain(const NewParticles& particles, const Origin& origin) {
-  const auto& [min, max] = origin.deck.domain;
+  const auto& [min, max, periodic] = origin.deck.domain;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Vec3& p = particles.position[i];
     if (p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y && p.z >= min.z && p.z < max.z) continue;
@@ -103,9 +104,12 @@ void check_walls(const NewParticles& particles, const Origin& origin, const std:
 }
 
 void check_overlaps(const NewParticles& particles, const Origin& origin) {
-  for_each_overlap(particles.position, particles.radius, [&](std::size_t i, std::size_t j) {
+  const SpheresWithImages all = with_images(Periodicity(origin.deck.domain), particles.position, particles.radius);
+  for_each_overlap(all.position, all.radius, [&](std::size_t a, std::size_t b) {
+    const std::size_t i = all.original[a];
+    const std::size_t j = all.original[b];
     const double smaller = std::min(particles.radius[i], particles.radius[j]);
-    const double apart = norm(particles.position[i] - particles.position[j]);
+    const double apart = norm(all.position[a] - all.position[b]);
     const double overlap = particles.radius[i] + particles.radius[j] - apart;
     // A filled block has no overlaps of its own, so any with another block means that their regions intersect.
     const bool blocks_intersect =

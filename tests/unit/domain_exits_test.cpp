@@ -19,13 +19,14 @@ MaterialTable one_material() {
   return MaterialTable(deck);
 }
 
-constexpr DomainDeck domain = {{-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}};
+const DomainDeck domain = {{-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}};
 
 struct Exits {
   MaterialTable materials = one_material();
   MassUnit unit{1.0};
   Particles particles;
   ExitCount left;
+  std::vector<ExitDeck> exits;
 
   std::size_t add(const Vec3& position, double radius = 0.01) {
     particles.record.push_back({position, radius, {1.0, 2.0, 3.0}, 1.0, {4.0, 5.0, 6.0}, 1.0});
@@ -33,7 +34,7 @@ struct Exits {
     particles.material.push_back(0);
     return particles.owned - 1;
   }
-  void retire() { retire_leavers(domain, materials, unit, particles, left); }
+  void retire() { retire_leavers(domain, exits, materials, unit, particles, left); }
 };
 
 TEST(Exits, EachFaceIsCountedWithItsMass) {

@@ -31,12 +31,6 @@ void check_periodic(const Deck& deck, Axis axis, DeckErrors& errors) {
                     "time.expected_speed",
                     name));
   }
-  for (std::size_t i = 0; i < deck.walls.size(); ++i) {
-    const WallDeck& wall = deck.walls[i];
-    if (wall.type != WallType::plane || wall.normal.*along[index(axis)] == 0.0) continue;
-    errors.add(fmt::format("wall.{}.normal", i),
-               fmt::format("a plane must be parallel to the periodic direction {}; for a slope tilt gravity", name));
-  }
 }
 
 void check_open_z(const Deck& deck, DeckErrors& errors) {

@@ -9,6 +9,7 @@
 #include "scene/fill.h"
 #include "scene/overlap.h"
 #include "scene/particle_csv.h"
+#include "scene/periodic_walls.h"
 #include "scene/periodicity.h"
 
 namespace repose {
@@ -122,6 +123,13 @@ void check_overlaps(const NewParticles& particles, const Origin& origin) {
   });
 }
 
+void check_periodic(const NewParticles& particles, const DomainDeck& domain, const std::vector<Wall>& walls) {
+  double largest = 0.0;
+  for (const double radius : particles.radius) largest = std::max(largest, radius);
+  longest_skin(Periodicity(domain), largest);
+  check_walls_meet(domain, walls, largest);
+}
+
 }  // namespace
 
 NewParticles insert_particles(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file) {
@@ -138,6 +146,7 @@ NewParticles insert_particles(const Deck& deck, const std::vector<Wall>& walls, 
   check_domain(all, origin);
   check_walls(all, origin, walls);
   check_overlaps(all, origin);
+  check_periodic(all, deck.domain, walls);
   return all;
 }
 

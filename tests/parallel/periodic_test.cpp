@@ -64,7 +64,7 @@ TEST(Periodic, SameBitsOnAllRanksAsOnOne) {
   const Outcome together = run(world, chute());
   EXPECT_EQ(together.inside, 150);
   EXPECT_GT(together.lengths, 3.0);
-  EXPECT_GT(together.contacts, 40);
+  EXPECT_GT(together.contacts, 15);
   EXPECT_GT(together.counters.rebuilds, 10);
   if (world.is_root()) {
     const Outcome alone = run(self, chute());

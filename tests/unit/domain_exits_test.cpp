@@ -86,6 +86,51 @@ TEST(Exits, LowerFacesAreInsideUpperOnesOutside) {
   EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{1, 1, 1, 1, 1, 1}));
 }
 
+TEST(Exits, NamedPartsOfAFaceAreCountedByName) {
+  Exits e;
+  e.exits = {{"hole", DomainFace::z_min, {-0.5, -0.5, 7.0}, {0.5, 0.5, 7.0}},  // z does not matter
+             {"around", DomainFace::z_min, {-0.8, -2.0, 0.0}, {0.8, 2.0, 0.0}},
+             {"side", DomainFace::x_max}};
+  e.add({0.0, 0.0, -3.1}, 0.02);   // hole; also around, but the first counts
+  e.add({-0.5, 0.4, -3.1}, 0.03);  // hole: its lower edge belongs to it
+  e.add({0.5, 0.4, -3.1}, 0.04);   // around: the upper edge of the hole does not belong to it
+  e.add({0.9, 0.0, -3.1}, 0.05);   // beside both
+  e.add({1.1, 0.0, 0.0}, 0.06);    // side
+  e.add({0.0, 0.0, 3.1}, 0.07);    // the top has no part
+  e.retire();
+  const auto mass = [&](double radius) { return e.unit.count(sphere_mass(radius, 2500.0)); };
+  EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{0, 1, 0, 0, 4, 1}));
+  EXPECT_EQ(e.left.named_particles, (std::vector<std::int64_t>{2, 1, 1}));
+  EXPECT_EQ(e.left.named_mass, (std::vector<std::int64_t>{mass(0.02) + mass(0.03), mass(0.04), mass(0.06)}));
+
+  const std::vector<ExitTotal> totals = exit_totals(e.exits, e.left);
+  ASSERT_EQ(totals.size(), 9U);
+  EXPECT_EQ(totals[4].name, "z_min");
+  EXPECT_EQ(totals[4].particles, 1);
+  EXPECT_EQ(totals[4].mass, mass(0.05));
+  EXPECT_EQ(totals[1].particles, 0);
+  EXPECT_EQ(totals[5].particles, 1);
+  EXPECT_EQ(totals[6].name, "hole");
+  EXPECT_EQ(totals[6].particles, 2);
+  EXPECT_EQ(totals[8].mass, mass(0.06));
+}
+
+// In a periodic direction a particle is where its image in the domain is.
+TEST(Exits, NothingLeavesInAPeriodicDirection) {
+  Exits e;
+  DomainDeck periodic = domain;
+  periodic.periodic = {Axis::x};
+  e.particles.periodic = Periodicity(periodic);
+  e.exits = {{"left_half", DomainFace::z_min, {-1.0, -2.0, 0.0}, {0.0, 2.0, 0.0}}};
+  e.add({-1.2, 0.0, 0.0});
+  e.add({1.3, 0.0, -3.1});   // its image is at -0.7
+  e.add({-1.3, 0.0, -3.1});  // at 0.7
+  retire_leavers(e.particles.periodic.open_bounds(periodic), e.exits, e.materials, e.unit, e.particles, e.left);
+  EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{0, 0, 0, 0, 2, 0}));
+  EXPECT_EQ(e.left.named_particles, std::vector<std::int64_t>{1});
+  EXPECT_FALSE(is_parked(e.particles.record[0]));
+}
+
 TEST(Exits, LeaversAreParkedOnceAndApart) {
   Exits e;
   for (int n = 0; n < 5; ++n) e.add({0.0, 0.0, -4.0});

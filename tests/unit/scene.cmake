@@ -2,5 +2,5 @@ repose_test(scene_wall_tests LABEL unit
   SOURCES scene_flat_wall_test.cpp scene_profile_test.cpp scene_touch_test.cpp
   LINK repose_scene)
 repose_test(scene_insertion_tests LABEL unit
-  SOURCES scene_csv_test.cpp scene_fill_test.cpp scene_insertion_test.cpp scene_overlap_test.cpp
+  SOURCES scene_csv_test.cpp scene_fill_test.cpp scene_insertion_test.cpp scene_overlap_test.cpp scene_periodicity_test.cpp
   LINK repose_scene)

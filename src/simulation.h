@@ -93,7 +93,7 @@ class Simulation {
   MaterialTable materials_;
   std::vector<Wall> walls_;
   TimeStep time_step_;
-  DomainDeck open_domain_;  ///< without bounds in periodic directions
+  DomainDeck open_domain_;  ///< as Periodicity::open_bounds
   Particles particles_;
   std::int64_t inserted_ = 0;
   MassUnit mass_unit_{1.0};

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "deck/deck.h"
+#include "scene/particles.h"
 
 namespace repose {
 namespace {
@@ -42,7 +43,7 @@ DomainDeck Periodicity::open_bounds(const DomainDeck& domain) const {
   DomainDeck open = domain;
   for (const Axis axis : domain.periodic) {
     open.min.*component(axis) = -infinite;
-    open.max.*component(axis) = infinite;
+    open.max.*component(axis) = parking_distance;
   }
   return open;
 }

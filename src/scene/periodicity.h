@@ -25,7 +25,7 @@ class Periodicity {
   const Vec3& length() const { return length_; }      ///< m; 0 in directions that are not periodic
   const Vec3& rounding() const { return rounding_; }  ///< (way + rounding) - rounding is on the grid; 0: as it was
 
-  /// The domain, without bounds in the periodic directions.
+  /// The domain, without bounds in the periodic directions but that parked particles are outside.
   DomainDeck open_bounds(const DomainDeck& domain) const;
 
   /// The image in the domain of a position at most a length away from it.

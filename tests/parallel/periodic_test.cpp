@@ -231,7 +231,7 @@ TEST(Periodic, AGasKeepsItsMomentumAndWithoutLossItsEnergy) {
 TEST(Periodic, EachLeaverIsCountedAtItsStep) {
   Deck deck = bare_deck({}, 6e-6);
   deck.domain = {{-half_side, -half_side, -half_side}, {half_side, half_side, half_side}, {Axis::x, Axis::y}};
-  deck.exits = {{"left_half", DomainFace::z_min, {-half_side, -half_side, 0.0}, {0.0, half_side, 0.0}}};
+  deck.exits = {{"near_half", DomainFace::z_min, {-half_side, -half_side, 0.0}, {half_side, 0.0, 0.0}}};
   std::vector<Grain> grains;
   for (int k = 0; k < 9; ++k) {
     const double at = (k - 4) * 0.2 * half_side;

@@ -39,7 +39,7 @@ std::string describe_alarm(const Particles& particles, const PairLists& pairs, c
       const double share = (a.radius + b.radius - norm(a.position - b.position)) / std::min(a.radius, b.radius);
       if (share > max_overlap) {
         return too_deep(step, fmt::format("particles {} and {}", particles.id[i], particles.id[j]), share, max_overlap,
-                        a.position);
+                        particles.position(i));
       }
     }
   }
@@ -49,7 +49,7 @@ std::string describe_alarm(const Particles& particles, const PairLists& pairs, c
     if (share > max_overlap) {
       const std::string& wall = walls[static_cast<std::size_t>(c.wall)].name;
       return too_deep(step, fmt::format("particle {} and wall {}", particles.id[i], wall), share, max_overlap,
-                      particles.record[i].position);
+                      particles.position(i));
     }
   }
   return fmt::format(

@@ -24,15 +24,22 @@ Box entrance(const Pour& pour) {
   return {min - Vec3{r, r, r}, max + Vec3{r, r, r}};
 }
 
-/// The particles of this rank that reach into a box.
+bool reaches_into(const Box& box, const Vec3& x, double r) {
+  return x.x + r > box.min.x && x.x - r < box.max.x && x.y + r > box.min.y && x.y - r < box.max.y &&
+         x.z + r > box.min.z && x.z - r < box.max.z;
+}
+
+/// The particles of this rank that reach into a box, and their images across periodic boundaries that do.
 SphereGrid spheres_in(const Box& box, const Particles& particles) {
+  const double farthest = norm(box.max - box.min);
   SphereGrid grid;
   for (std::size_t i = 0; i < particles.owned; ++i) {
-    const Vec3 x = particles.record[i].position;
     const double r = particles.record[i].radius;
-    const bool near = x.x + r > box.min.x && x.x - r < box.max.x && x.y + r > box.min.y && x.y - r < box.max.y &&
-                      x.z + r > box.min.z && x.z - r < box.max.z;
-    if (near) grid.add(x, r);
+    if (is_parked(particles.record[i])) continue;
+    const Vec3 position = particles.position(i);
+    particles.periodic.for_each_shift(position, r + farthest, [&](const Vec3& shift) {
+      if (reaches_into(box, position + shift, r)) grid.add(position + shift, r);
+    });
   }
   return grid;
 }
@@ -46,7 +53,7 @@ struct Pouring::Batch {
   const Particles& particles;
   const std::vector<Wall>& walls;
   NewParticles entering = {};
-  SphereGrid fresh = {};  ///< those that are entering
+  SphereGrid fresh = {};  ///< those that are entering, and their images
 
   std::optional<Vec3> place(const Flow& flow, std::int64_t k, std::uint32_t attempt) const {
     const auto number = static_cast<std::uint32_t>((now.step - flow.start) / flow.every);
@@ -89,7 +96,8 @@ struct Pouring::Batch {
     entering.spin.push_back({});
     entering.radius.push_back(radius);
     entering.material.push_back(flow.pour.material);
-    fresh.add(at, radius);
+    const double farthest = radius + *std::max_element(flow.pour.radius.begin(), flow.pour.radius.end());
+    particles.periodic.for_each_shift(at, farthest, [&](const Vec3& shift) { fresh.add(at + shift, radius); });
   }
 };
 

@@ -29,6 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// The last column is followed by one for each named exit.
 const std::vector<std::string> series_columns = {"step",
                                                  "time_s",
                                                  "phase",
@@ -40,6 +41,12 @@ const std::vector<std::string> series_columns = {"step",
                                                  "gravitational_energy_J",
                                                  "elastic_energy_J",
                                                  "discharged_mass_kg"};
+
+std::vector<std::string> columns_of(const Deck& deck) {
+  std::vector<std::string> columns = series_columns;
+  for (const ExitDeck& exit : deck.exits) columns.push_back(fmt::format("exit_{}_kg", exit.name));
+  return columns;
+}
 
 double discharged_mass_of(const Simulation& simulation) {
   return discharged_mass(simulation.comm(), simulation.deck().discharge.orifice_height, simulation.materials(),
@@ -70,7 +77,7 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options)
   agree_after_root(simulation.comm(), [&] {
     remove_earlier_results();
     write_text_file(path("deck.resolved.toml"), options_.resolved_deck);
-    series_ = std::make_unique<TimeSeries>(path("series.csv"), series_columns);
+    series_ = std::make_unique<TimeSeries>(path("series.csv"), columns_of(deck));
     if (deck.output.trace) trace_ = std::make_unique<Trace>(path("trace.csv"));
   });
   if (!deck.walls.empty()) wall_loads_.emplace(simulation, path("walls.csv"));
@@ -184,11 +191,14 @@ void Recorder::write_series_row(const Simulation& simulation, const std::string&
   const double discharged = simulation.deck().discharge.enabled ? discharged_mass_of(simulation) : 0.0;
   const auto& phases = simulation.deck().phases;
   const auto at = std::find_if(phases.begin(), phases.end(), [&](const PhaseDeck& p) { return p.name == phase; });
-  const std::array<TimeSeries::Value, 11> row = {
+  std::vector<TimeSeries::Value> row = {
       simulation.steps(), simulation.time(), static_cast<std::int64_t>(at - phases.begin()),
       particles,          contacts.pairs,    contacts.walls,
       e.translational,    e.rotational,      e.gravitational,
       e.elastic,          discharged};
+  for (const std::int64_t mass : sum_of(comm, simulation.left_here()).named_mass) {
+    row.emplace_back(simulation.mass_unit().kilograms(mass));
+  }
   agree_after_root(comm, [&] { series_->append(row); });
   if (wall_loads_) wall_loads_->write(simulation);
 }
@@ -320,11 +330,9 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
   s.planned = simulation.planned();
   s.inside = inside(simulation);
   s.sizes = simulation.sizes();
-  std::array<std::int64_t, 6> left = simulation.left_here().particles;
-  comm.sum_elements(std::span(left.begin(), left.end()));
-  for (std::size_t e = 0; e < left.size(); ++e) {
-    s.exits.push_back({exit_names[e], left[e]});
-    s.left += left[e];
+  for (const ExitTotal& exit : exit_totals(simulation.deck().exits, sum_of(comm, simulation.left_here()))) {
+    s.exits.push_back({exit.name, exit.particles, simulation.mass_unit().kilograms(exit.mass)});
+    s.left += exit.particles;
   }
   s.state_hash = state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
   s.phases = phases_;

@@ -18,7 +18,7 @@ constexpr std::int64_t inner_horizon_steps = 32;   // steps at present speed tha
 constexpr std::int64_t outer_horizon_steps = 320;  // the same of the outer skin
 
 void append_particle(const NewParticles& from, std::size_t i, Particles& to) {
-  to.record.push_back({from.position[i], from.radius[i], from.velocity[i], 0.0, from.spin[i], 0.0});
+  to.record.push_back({to.periodic.on_grid(from.position[i]), from.radius[i], from.velocity[i], 0.0, from.spin[i], 0.0});
   to.id.push_back(from.id[i]);
   to.material.push_back(from.material[i]);
 }
@@ -34,12 +34,18 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       decomposition_(comm.size()),
       ghosts_(comm),
       gravity_(deck.gravity) {
+  particles_.periodic = Periodicity(deck_.domain);
+  open_domain_ = particles_.periodic.open_bounds(deck_.domain);
+  left_.named_particles.resize(deck_.exits.size());
+  left_.named_mass.resize(deck_.exits.size());
   Insertion insertion = insert_particles_of(deck_, walls_, read_file);
   held_ = HeldParticles(deck_, insertion);
   time_step_ = choose_time_step(deck_, materials_, smallest_radii(insertion, materials_.size()),
                                 expected_speed(deck_, insertion.now));
-  watch_ = SkinWatch({deck_.neighbours.inner_skin, static_cast<double>(inner_horizon_steps) * time_step_.step},
-                     {deck_.neighbours.skin, static_cast<double>(outer_horizon_steps) * time_step_.step});
+  const double longest = longest_skin(particles_.periodic, insertion.largest_radius());
+  const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
+  watch_ = SkinWatch({deck_.neighbours.inner_skin, horizon(inner_horizon_steps), 0.5 * longest},
+                     {deck_.neighbours.skin, horizon(outer_horizon_steps), longest});
   set_wall_skins();
   planned_ = insertion.planned;
   mass_unit_ = MassUnit(planned_mass(insertion, materials_));
@@ -68,7 +74,7 @@ void Simulation::advance(std::int64_t steps) {
   for (std::int64_t k = 0; k < steps; ++k) {
     clock_.enter(Stage::integration);
     const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
-    const StepNotes notes = halves(level_, gravity_, dt, deck_.domain, watch_.inner_marks(), particles_);
+    const StepNotes notes = halves(level_, gravity_, dt, open_domain_, watch_.inner_marks(), particles_);
     move_scene();
     if (notes.outside > parked_) count_leavers();
     const bool skin_used_up = notes.skin_used_up || held_.skin_used_up(watch_.inner_marks(), particles_);
@@ -174,7 +180,7 @@ void Simulation::select_near() {
 }
 
 void Simulation::count_leavers() {
-  retire_leavers(deck_.domain, materials_, mass_unit_, particles_, left_);
+  retire_leavers(open_domain_, deck_.exits, materials_, mass_unit_, particles_, left_);
   watch_.ignore_parked(particles_);
   parked_ = 0;
   for (std::size_t i = 0; i < particles_.owned; ++i) parked_ += is_parked(particles_.record[i]) ? 1U : 0U;
@@ -198,6 +204,7 @@ Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
 }
 
 void Simulation::rebuild_lists() {
+  wrap_positions(particles_);
   ContactMemory memory = {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)};
   if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
   balance();

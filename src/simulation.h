@@ -114,6 +114,7 @@ class Simulation {
   MaterialTable materials_;
   std::vector<Wall> walls_;
   TimeStep time_step_;
+  DomainDeck open_domain_;  ///< as Periodicity::open_bounds
   Particles particles_;
   std::int64_t inserted_at_start_ = 0;
   std::int64_t planned_ = 0;

@@ -137,7 +137,7 @@ void ghost_packing(benchmark::State& state) {
   for (std::size_t i = 0; i < particles.owned; i += 4) sent.push_back(i);
   std::vector<Motion> buffer(sent.size());
   for (auto _ : state) {
-    pack_motion(particles.record, sent, buffer);
+    pack_motion(particles.record, sent, {}, buffer);
     benchmark::DoNotOptimize(buffer.data());
     benchmark::ClobberMemory();
   }

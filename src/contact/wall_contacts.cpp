@@ -27,6 +27,15 @@ bool is_at_one_face(std::span<const Wall> walls, const TouchBuffer& touches, std
   return margin(wall, t.feature, position) > 1.001 * (skin + wall.inner_skin);
 }
 
+/// Whether a wall is nearer than `reach` to a particle, be it across a periodic boundary that it may pass.
+bool is_within_reach(const Wall& wall, const Particles& particles, std::size_t i, double reach) {
+  const Vec3 position = particles.position(i);
+  bool found = false;
+  particles.periodic.for_each_shift(
+      position, reach, [&](const Vec3& shift) { found = found || distance(wall, position + shift) < reach; });
+  return found;
+}
+
 /// As if no particle had ever touched it.
 void forget(FaceGroup& group) {
   for (std::size_t lane = 0; lane < group.lanes; ++lane) {
@@ -53,7 +62,7 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const auto first = static_cast<std::int32_t>(candidate_walls_.size());
     for (std::size_t w = 0; w < walls.size(); ++w) {
-      if (distance(walls[w], particles.record[i].position) < reach[i] + walls[w].outer_skin) {
+      if (is_within_reach(walls[w], particles, i, reach[i] + walls[w].outer_skin)) {
         candidate_walls_.push_back(static_cast<std::int32_t>(w));
       }
     }
@@ -84,20 +93,24 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
     const ParticleRecord& p = particles.record[i];
     if (is_parked(p)) continue;
     const double skin = skin_of(p, rule);
+    const Vec3 position = particles.position(i);
     const auto first = static_cast<std::int32_t>(near_walls_.size());
     touches.clear();
     for (std::int32_t k = 0; k < candidate.walls; ++k) {
       const std::int32_t w = candidate_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
       const Wall& wall = walls[static_cast<std::size_t>(w)];
       const double range = p.radius + skin + wall.inner_skin;
-      const bool near = touches.overflowed() ? distance(wall, p.position) < range
-                                             : find_touches(wall, w, p.position, range, touches) > 0;
+      bool near = false;
+      particles.periodic.for_each_shift(position, skin, [&](const Vec3& shift) {
+        near |= touches.overflowed() ? distance(wall, position + shift) < range
+                                     : find_touches(wall, w, position + shift, range, touches) > 0;
+      });
       if (near) near_walls_.push_back(w);
     }
     const auto count = static_cast<std::int32_t>(near_walls_.size()) - first;
     if (count == 0) continue;
     const std::span<const WallMemory> old = memory.row(i);
-    if (is_at_one_face(walls, touches, old, p.position, skin)) {
+    if (particles.periodic.stays_inside(p.position, skin) && is_at_one_face(walls, touches, old, p.position, skin)) {
       near_walls_.resize(static_cast<std::size_t>(first));
       const Wall& wall = walls[static_cast<std::size_t>(touches[0].wall)];
       add_lane(group_for(particles, i, wall, touches[0]), candidate.particle,
@@ -169,11 +182,12 @@ void WallContacts::find_contacts(std::span<const Wall> walls, const Particles& p
     if (is_parked(p)) continue;
     const std::span<const WallContact> before(before_.data() + first_before, next - first_before);
 
+    const Vec3 centre = particles.position(static_cast<std::size_t>(candidate.particle));
     touches.clear();
     for (std::int32_t k = 0; k < candidate.walls; ++k) {
       const std::int32_t w = near_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
       const Wall& wall = walls[static_cast<std::size_t>(w)];
-      if (wall.present) find_touches(wall, w, p.position, p.radius, touches);
+      if (wall.present) find_touches(wall, w, centre, p.radius, touches);
     }
     if (touches.size() > 1) resolve_touches(touches, p.radius);
     alarms.too_many += touches.overflowed() ? 1 : 0;

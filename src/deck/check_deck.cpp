@@ -117,10 +117,12 @@ void check_deck(const Deck& deck, DeckErrors& errors) {
   check_box("domain", deck.domain.min, deck.domain.max, errors);
   const std::vector<std::string> materials = check_names("material", deck.materials, errors);
   check_names("wall", deck.walls, errors);
+  check_names("exit", deck.exits, errors);
   check_names("phase", deck.phases, errors);
   const std::size_t errors_before = errors.count();
   check_materials(deck, materials, errors);
   if (errors.count() == errors_before) check_pairs(deck, errors);  // a misspelled material would lack its pairs as well
+  check_domain(deck, errors);
   check_wall_shapes(deck, errors);
   check_particles(deck, errors);
   check_phases(deck, errors);

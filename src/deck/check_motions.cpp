@@ -4,6 +4,7 @@
 
 #include "deck/check_deck.h"
 #include "deck/nearest.h"
+#include "deck/schema_types.h"
 
 namespace repose {
 namespace {
@@ -24,10 +25,32 @@ void check_phase_names(const std::string& section, const std::vector<std::string
   }
 }
 
+/// Whether a motion takes the images of a body along: it must not move it in a periodic direction, nor turn it out.
+bool suits(const MotionDeck& motion, Axis periodic) {
+  constexpr double Vec3::*along[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+  const double Vec3::*direction = along[static_cast<std::size_t>(periodic)];
+  Vec3 axis;
+  switch (motion.type) {
+    case MotionType::translation:
+      return motion.velocity.*direction == 0.0;
+    case MotionType::oscillation:
+      return motion.amplitude.*direction == 0.0;
+    case MotionType::rotation:
+      axis.*along[static_cast<std::size_t>(periodic)] = 1.0;
+      return cross(motion.axis_direction, axis) == Vec3{};
+  }
+  return false;
+}
+
 void check_motion_list(const std::string& section, const std::vector<MotionDeck>& motions, const Deck& deck,
                        DeckErrors& errors) {
   for (std::size_t k = 0; k < motions.size(); ++k) {
     const std::string motion = fmt::format("{}.motion.{}", section, k);
+    for (const Axis periodic : deck.domain.periodic) {
+      if (suits(motions[k], periodic)) continue;
+      errors.add(motion, fmt::format("moves along or turns away from the periodic direction {} of the [domain]",
+                                     enumerators(Axis{})[static_cast<std::size_t>(periodic)]));
+    }
     if (motions[k].type == MotionType::rotation) check_axis(motion, motions[k].axis_direction, errors);
     check_phase_names(motion, motions[k].phases, deck, errors);
   }
@@ -55,6 +78,9 @@ void check_motions(const Deck& deck, DeckErrors& errors) {
     const ParticlesDeck& block = deck.particles[i];
     const std::string section = fmt::format("particles.{}", i);
     check_motion_list(section, block.motions, deck, errors);
+    if (!block.motions.empty() && !deck.domain.periodic.empty()) {
+      errors.add(section, "[[particles.motion]] needs a [domain] without periodic directions");
+    }
     if (is_held(block) && block.type == ParticlesType::pour) {
       errors.add(section + ".type", "poured particles can be neither \"fixed\" nor on a [[particles.motion]]");
     }

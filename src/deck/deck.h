@@ -20,9 +20,21 @@ struct RunDeck {
   std::int64_t check_every = 100;  ///< steps between looks at a phase's energy condition and at the discharge
 };
 
+enum class Axis { x, y, z };
+
 struct DomainDeck {
   Vec3 min;
   Vec3 max;
+  std::vector<Axis> periodic = {};  ///< directions in which the domain repeats itself
+};
+
+enum class DomainFace { x_min, x_max, y_min, y_max, z_min, z_max };
+
+struct ExitDeck {
+  std::string name;
+  DomainFace face = DomainFace::z_min;
+  Vec3 min{unset, unset, unset};  ///< of the part of the face; default: the domain's
+  Vec3 max{unset, unset, unset};
 };
 
 struct MaterialDeck {
@@ -225,6 +237,7 @@ struct Deck {
   RunDeck run;
   Vec3 gravity{0.0, 0.0, -9.81};
   DomainDeck domain;
+  std::vector<ExitDeck> exits;           ///< [[exit]]
   std::vector<MaterialDeck> materials;   ///< [[material]]
   std::vector<PairDeck> pairs;           ///< [[pair]]
   std::vector<WallDeck> walls;           ///< [[wall]]

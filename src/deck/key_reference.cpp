@@ -19,6 +19,14 @@ struct Group {
 };
 
 template <class T>
+std::string allowed_text(const T&, const Range& range);
+
+template <class E>
+requires std::is_enum_v<E> std::string allowed_text(const std::vector<E>&, const Range& range) {
+  return allowed_text(E{}, range);
+}
+
+template <class T>
 std::string allowed_text(const T&, const Range& range) {
   if constexpr (std::is_enum_v<T>) {
     std::string all;

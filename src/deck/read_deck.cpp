@@ -35,7 +35,16 @@ void set_default(double& value, double fallback) {
   if (std::isnan(value)) value = fallback;
 }
 
+/// Limits of a part of a face that were not given are those of the domain.
+void set_limits(ExitDeck& exit, const DomainDeck& domain) {
+  for (double Vec3::*along : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    set_default(exit.min.*along, domain.min.*along);
+    set_default(exit.max.*along, domain.max.*along);
+  }
+}
+
 void resolve_defaults(Deck& deck) {
+  for (ExitDeck& exit : deck.exits) set_limits(exit, deck.domain);
   for (ParticlesDeck& p : deck.particles) {
     if (comes_from_file(p.type)) continue;
     if (p.type == ParticlesType::fill) set_default(p.spacing, 1.1 * p.diameter);

@@ -15,6 +15,8 @@ void describe(V& v, Deck& d) {
   v("gravity", d.gravity, Unit::acceleration, any_value, optional, "gravitational acceleration");
   v.section("run", d.run, optional, "the run as a whole");
   v.section("domain", d.domain, required, "the box that is simulated; a particle that leaves it is counted and gone");
+  v.sections("exit", d.exits, optional,
+             "a part of a face of the domain; what leaves through it is counted by its name");
   v.sections("material", d.materials, required, "a solid");
   v.sections("pair", d.pairs, required, "contact of two materials, in either order");
   v.sections("wall", d.walls, optional, "a rigid surface, felt from both sides");

@@ -17,6 +17,17 @@ template <class V>
 void describe(V& v, DomainDeck& d) {
   v("min", d.min, Unit::metre, any_value, required, "lowest corner");
   v("max", d.max, Unit::metre, any_value, required, "highest corner, beyond min in x, y and z");
+  v("periodic", d.periodic, Unit::none, any_value, optional,
+    "directions in which the domain repeats itself: what leaves it there comes in on the other side");
+}
+
+template <class V>
+void describe(V& v, ExitDeck& e) {
+  v("name", e.name, Unit::none, any_value, required, "name, used once");
+  v("face", e.face, Unit::none, any_value, required, "face of the domain");
+  v("min", e.min, Unit::metre, any_value, optional_else("the domain's min"),
+    "lowest corner of the part; across the face it does not matter");
+  v("max", e.max, Unit::metre, any_value, optional_else("the domain's max"), "highest corner of the part");
 }
 
 template <class V>

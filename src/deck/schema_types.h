@@ -53,6 +53,10 @@ inline constexpr Presence required{.is_required = true};
 inline constexpr Presence optional{};
 constexpr Presence optional_else(std::string_view fallback) { return {.fallback = fallback}; }
 
+constexpr auto enumerators(Axis) { return std::array<std::string_view, 3>{"x", "y", "z"}; }
+constexpr auto enumerators(DomainFace) {
+  return std::array<std::string_view, 6>{"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+}
 constexpr auto enumerators(WallType) {
   return std::array<std::string_view, 4>{"profile", "plane", "disc", "rectangle"};
 }

@@ -35,6 +35,8 @@ inline std::string kind_text(const std::vector<std::array<double, 2>>&) { return
 
 template <class E>
 requires std::is_enum_v<E> std::string kind_text(E) { return "choice"; }
+template <class E>
+requires std::is_enum_v<E> std::string kind_text(const std::vector<E>&) { return "list of choices"; }
 
 template <class E>
 requires std::is_enum_v<E> std::string toml_text(E value) {

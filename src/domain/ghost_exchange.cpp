@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "comm/buffer.h"
+#include "scene/periodicity.h"
 
 namespace repose {
 namespace {
@@ -16,6 +17,12 @@ struct GhostPassport {
   std::int32_t material;
 };
 
+/// An owned particle, moved by whole lengths of the domain.
+struct Image {
+  std::size_t particle;
+  Vec3 shift;
+};
+
 constexpr int tag = 2;
 
 }  // namespace
@@ -26,6 +33,7 @@ std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, co
   sends_.clear();
   receives_.clear();
   send_index_.clear();
+  send_shift_.clear();
 
   std::vector<double> reach(particles.owned);
   double longest = 0.0;
@@ -36,13 +44,17 @@ std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, co
   const std::vector<double> longest_of = comm_.all_gather(longest);
   const double longest_of_all = *std::max_element(longest_of.begin(), longest_of.end());
 
-  std::vector<std::vector<std::size_t>> ghosts_of(static_cast<std::size_t>(comm_.size()));
+  std::vector<std::vector<Image>> ghosts_of(static_cast<std::size_t>(comm_.size()));
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const Vec3& position = particles.record[i].position;
-    decomposition.for_each_rank_near(position, reach[i] + longest_of_all, [&](int rank, double squared_distance) {
-      const auto r = static_cast<std::size_t>(rank);
-      const double limit = reach[i] + longest_of[r];
-      if (rank != comm_.rank() && longest_of[r] > 0.0 && squared_distance < limit * limit) ghosts_of[r].push_back(i);
+    const double range = reach[i] + longest_of_all;
+    particles.periodic.for_each_shift(position, range, [&](const Vec3& shift) {
+      decomposition.for_each_rank_near(position + shift, range, [&](int rank, double squared_distance) {
+        const auto r = static_cast<std::size_t>(rank);
+        const double limit = reach[i] + longest_of[r];
+        if (rank == comm_.rank() && shift == Vec3{}) return;
+        if (longest_of[r] > 0.0 && squared_distance < limit * limit) ghosts_of[r].push_back({i, shift});
+      });
     });
   }
 
@@ -50,10 +62,15 @@ std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, co
   for (std::size_t r = 0; r < ghosts_of.size(); ++r) {
     if (ghosts_of[r].empty()) continue;
     sends_.push_back({static_cast<int>(r), send_index_.size(), ghosts_of[r].size()});
-    send_index_.insert(send_index_.end(), ghosts_of[r].begin(), ghosts_of[r].end());
     PackBuffer buffer(bytes[r]);
-    for (const std::size_t i : ghosts_of[r]) {
-      buffer.put(GhostPassport{particles.record[i], particles.id[i], reach[i], particles.material[i]});
+    for (const auto& [i, shift] : ghosts_of[r]) {
+      send_index_.push_back(i);
+      GhostPassport ghost{particles.record[i], particles.id[i], reach[i], particles.material[i]};
+      if (particles.periodic.any()) {
+        send_shift_.push_back(shift);
+        ghost.record.position += shift;
+      }
+      buffer.put(ghost);
     }
   }
   const std::vector<std::vector<char>> received = comm_.exchange(bytes);
@@ -68,7 +85,6 @@ std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, co
     }
     if (particles.ghosts() > begin) receives_.push_back({static_cast<int>(r), begin, particles.ghosts() - begin});
   }
-  open_requests();
   return reach;
 }
 
@@ -96,21 +112,24 @@ void GhostExchange::keep(const std::vector<bool>& needed, Particles& particles) 
   particles.material.resize(next);
   std::erase_if(receives_, [](const Link& link) { return link.count == 0; });
   keep_sends(comm_.exchange(kept));
-  open_requests();
 }
 
 /// `kept`: by rank, which of the particles sent there it wants.
 void GhostExchange::keep_sends(const std::vector<std::vector<char>>& kept) {
   std::vector<std::size_t> index;
+  std::vector<Vec3> shift;
   for (Link& link : sends_) {
     const std::size_t begin = index.size();
     for (UnpackBuffer buffer(kept[static_cast<std::size_t>(link.rank)]); !buffer.at_end();) {
-      index.push_back(send_index_[link.begin + static_cast<std::size_t>(buffer.get<std::int32_t>())]);
+      const std::size_t k = link.begin + static_cast<std::size_t>(buffer.get<std::int32_t>());
+      index.push_back(send_index_[k]);
+      if (!send_shift_.empty()) shift.push_back(send_shift_[k]);
     }
     link.begin = begin;
     link.count = index.size() - begin;
   }
   send_index_ = std::move(index);
+  send_shift_ = std::move(shift);
   std::erase_if(sends_, [](const Link& link) { return link.count == 0; });
 }
 
@@ -121,42 +140,56 @@ void GhostExchange::open_requests() {
   receive_buffer_.resize(ghosts);
 
   constexpr int doubles = sizeof(Motion) / sizeof(double);
-  requests_.assign(receives_.size() + sends_.size(), MPI_REQUEST_NULL);
-  std::size_t next = 0;
   for (const Link& link : receives_) {
+    if (!is_remote(link)) continue;
     check_mpi(MPI_Recv_init(&receive_buffer_[link.begin], doubles * static_cast<int>(link.count), MPI_DOUBLE, link.rank,
-                            tag, comm_.handle(), &requests_[next++]),
+                            tag, comm_.handle(), &requests_.emplace_back(MPI_REQUEST_NULL)),
               "MPI_Recv_init");
   }
   for (const Link& link : sends_) {
+    if (!is_remote(link)) continue;
     check_mpi(MPI_Send_init(&send_buffer_[link.begin], doubles * static_cast<int>(link.count), MPI_DOUBLE, link.rank,
-                            tag, comm_.handle(), &requests_[next++]),
+                            tag, comm_.handle(), &requests_.emplace_back(MPI_REQUEST_NULL)),
               "MPI_Send_init");
   }
+  is_open_ = true;
 }
 
 void GhostExchange::free_requests() {
   for (MPI_Request& request : requests_) MPI_Request_free(&request);
   requests_.clear();
+  is_open_ = false;
 }
 
 void pack_motion(std::span<const ParticleRecord> records, std::span<const std::size_t> index,
-                 std::span<Motion> buffer) {
+                 std::span<const Vec3> shift, std::span<Motion> buffer) {
   for (std::size_t k = 0; k < index.size(); ++k) {
     const ParticleRecord& p = records[index[k]];
     buffer[k] = {p.position, p.velocity, p.spin};
   }
+  for (std::size_t k = 0; k < shift.size(); ++k) buffer[k].position += shift[k];
+}
+
+void GhostExchange::copy_own_images() {
+  const auto own = [&](const Link& link) { return !is_remote(link); };
+  const auto from = std::find_if(sends_.begin(), sends_.end(), own);
+  const auto to = std::find_if(receives_.begin(), receives_.end(), own);
+  if (from == sends_.end() || to == receives_.end()) return;
+  std::copy_n(&send_buffer_[from->begin], from->count, &receive_buffer_[to->begin]);
 }
 
 void GhostExchange::start(const Particles& particles) {
-  pack_motion(particles.record, send_index_, send_buffer_);
+  if (!is_open_) open_requests();
+  pack_motion(particles.record, send_index_, send_shift_, send_buffer_);
+  copy_own_images();
   if (requests_.empty()) return;
   check_mpi(MPI_Startall(static_cast<int>(requests_.size()), requests_.data()), "MPI_Startall");
 }
 
 void GhostExchange::finish(Particles& particles) {
-  if (requests_.empty()) return;
-  check_mpi(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
+  if (!requests_.empty()) {
+    check_mpi(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
+  }
   for (std::size_t k = 0; k < receive_buffer_.size(); ++k) {
     ParticleRecord& ghost = particles.record[particles.owned + k];
     ghost.position = receive_buffer_[k].position;

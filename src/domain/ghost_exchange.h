@@ -15,10 +15,12 @@ struct Motion {
   Vec3 position, velocity, spin;
 };
 
-/// Copies the motion of particles `index` to `buffer`, one each.
-void pack_motion(std::span<const ParticleRecord> records, std::span<const std::size_t> index, std::span<Motion> buffer);
+/// Copies the motion of particles `index` to `buffer`, one each; if `shift` is not empty, moved by it.
+void pack_motion(std::span<const ParticleRecord> records, std::span<const std::size_t> index,
+                 std::span<const Vec3> shift, std::span<Motion> buffer);
 
-/// The ghosts of a rank: copies of the particles of other ranks that may touch its own before the next list rebuild.
+/// The ghosts of a rank: copies of the particles of other ranks, and in periodic directions images of particles of any
+/// rank, that may touch its own before the next list rebuild.
 /// The lists of who sends what to whom are made at a rebuild; each step only positions, velocities and spins travel, by
 /// persistent requests. Ghosts are read only: no force travels back.
 class GhostExchange {
@@ -28,8 +30,8 @@ class GhostExchange {
   GhostExchange(const GhostExchange&) = delete;
   GhostExchange& operator=(const GhostExchange&) = delete;
 
-  /// Collective. Appends to the owned particles the ghosts that are within the sum of reaches of any of them, and
-  /// returns the outer reach of every particle, owned and ghost, in m.
+  /// Collective. All particles are in the domain. Appends to the owned particles the ghosts that are within the sum of
+  /// reaches of any of them, and returns the outer reach of every particle, owned and ghost, in m.
   std::vector<double> set_up(const Decomposition& decomposition, const SkinRule& rule, Particles& particles);
 
   /// Collective. Drops the ghosts that are not `needed` (one entry per ghost), here and from what travels; the others
@@ -42,22 +44,26 @@ class GhostExchange {
   void finish(Particles& particles);
 
  private:
-  /// The ghosts exchanged with one other rank.
+  /// The ghosts exchanged with one rank; with its own, the images of its own particles.
   struct Link {
     int rank;
     std::size_t begin;  ///< into send_index_ or, when receiving, into the ghosts
     std::size_t count;
   };
   void keep_sends(const std::vector<std::vector<char>>& kept);
+  bool is_remote(const Link& link) const { return link.rank != comm_.rank(); }
   void open_requests();
+  void copy_own_images();
   void free_requests();
 
   const Communicator& comm_;
   std::vector<Link> sends_;
   std::vector<Link> receives_;
   std::vector<std::size_t> send_index_;  ///< owned particles to send, link by link
+  std::vector<Vec3> send_shift_;         ///< to the image, one each; empty without periodic directions
   std::vector<Motion> send_buffer_;
   std::vector<Motion> receive_buffer_;  ///< one per ghost, in the order of the ghosts
+  bool is_open_ = false;                ///< the requests are those of the links
   std::vector<MPI_Request> requests_;
 };
 

@@ -74,7 +74,7 @@ double expected_speed(const Deck& deck, const NewParticles& particles) {
   if (!std::isnan(deck.time.expected_speed)) return deck.time.expected_speed;
   const double driven = driven_speed(deck);
   const Vec3 g = deck.gravity;
-  const auto& [min, max] = deck.domain;
+  const auto& [min, max, periodic] = deck.domain;
   const Vec3 lowest = {g.x > 0.0 ? max.x : min.x, g.y > 0.0 ? max.y : min.y, g.z > 0.0 ? max.z : min.z};
   double greatest_square = std::max(1e-6, driven * driven);  // nothing moves by itself: 1 mm/s
   for (std::size_t i = 0; i < particles.size(); ++i) {

@@ -29,12 +29,15 @@ template <int kicks>
   }
 }
 
-template <int kicks>
+/// In periodic directions the ways are rounded to the grid of the positions.
+template <int kicks, bool periodic>
 [[gnu::always_inline]] inline StepNotes kick_and_drift(const Vec3& gravity_in, double dt, const DomainDeck& domain,
                                                        std::span<const Mark> marks, Particles& particles) {
   constexpr double no_bound = std::numeric_limits<double>::infinity();
   const Quad gravity = {gravity_in.x, gravity_in.y, gravity_in.z, 0.0};
   const Quad drift = {dt, dt, dt, 0.0};
+  const Vec3& grid = particles.periodic.rounding();
+  const Quad rounding = {grid.x, grid.y, grid.z, 0.0};
   const Quad low = {domain.min.x, domain.min.y, domain.min.z, -no_bound};
   const Quad high = {domain.max.x, domain.max.y, domain.max.z, no_bound};
   auto* record = reinterpret_cast<QuadInMemory*>(particles.record.data());
@@ -47,7 +50,9 @@ template <int kicks>
     kick<kicks>(gravity, 0.5 * dt, force_to_acceleration[i], torque_to_acceleration[i], sum, record);
     sum[0] = QuadInt{};
     sum[1] = QuadInt{};
-    const Quad position = record[0] + drift * record[1];
+    Quad step = drift * record[1];
+    if constexpr (periodic) step = (step + rounding) - rounding;
+    const Quad position = record[0] + step;
     record[0] = position;
     const QuadInt beyond = (position < low) | (position >= high);
     notes.outside += (beyond[0] | beyond[1] | beyond[2]) != 0 ? 1 : 0;
@@ -76,16 +81,27 @@ double scale_for(double value) {
   return std::ldexp(1.0, fixed_point_bits - 1 - exponent);
 }
 
+template <int kicks>
+StepNotes kick_and_drift_at(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
+                            std::span<const Mark> marks, Particles& particles) {
+  if (particles.periodic.any()) {
+    return at_level(level,
+                    [&]() REPOSE_INLINE { return kick_and_drift<kicks, true>(gravity, dt, domain, marks, particles); });
+  }
+  return at_level(level,
+                  [&]() REPOSE_INLINE { return kick_and_drift<kicks, false>(gravity, dt, domain, marks, particles); });
+}
+
 }  // namespace
 
 StepNotes step_first_half(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
                           std::span<const Mark> marks, Particles& particles) {
-  return at_level(level, [&]() REPOSE_INLINE { return kick_and_drift<1>(gravity, dt, domain, marks, particles); });
+  return kick_and_drift_at<1>(level, gravity, dt, domain, marks, particles);
 }
 
 StepNotes step_second_and_first_half(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
                                      std::span<const Mark> marks, Particles& particles) {
-  return at_level(level, [&]() REPOSE_INLINE { return kick_and_drift<2>(gravity, dt, domain, marks, particles); });
+  return kick_and_drift_at<2>(level, gravity, dt, domain, marks, particles);
 }
 
 void step_second_half(VectorLevel level, const Vec3& gravity, double dt, Particles& particles) {

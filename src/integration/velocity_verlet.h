@@ -19,7 +19,8 @@ struct StepNotes {
 
 /// Velocity Verlet with forces from half-step velocities: first half v += a dt/2, x += v dt, then the forces, then
 /// second half v += a dt/2; the same for the spins. `gravity` in m/s2, `dt` in s. Owned particles only. The first half
-/// leaves all force sums at zero, ready for the contacts; `marks` are one per owned particle.
+/// leaves all force sums at zero, ready for the contacts; `marks` are one per owned particle. `domain` is without
+/// bounds in the periodic directions of the particles (Periodicity::open_bounds).
 StepNotes step_first_half(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
                           std::span<const Mark> marks, Particles& particles);
 void step_second_half(VectorLevel level, const Vec3& gravity, double dt, Particles& particles);

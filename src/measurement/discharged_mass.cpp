@@ -15,7 +15,7 @@ std::int64_t mass_below(double height, const MaterialTable& materials, const Mas
   std::int64_t mass = 0;
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const ParticleRecord& p = particles.record[i];
-    if (is_parked(p) || p.position.z >= height) continue;
+    if (is_parked(p) || particles.position(i).z >= height) continue;
     mass += unit.count(sphere_mass(p.radius, materials[static_cast<std::size_t>(particles.material[i])].density));
   }
   return mass;

@@ -45,6 +45,9 @@ void for_each_touching_pair(const Particles& particles, const PairLists& pairs, 
 Energies measure_energies(const Communicator& comm, const Vec3& gravity, const MaterialTable& materials,
                           const Particles& particles, const PairLists& pairs, std::span<const Wall> walls,
                           const WallContacts& wall_contacts) {
+  const Vec3& length = particles.periodic.length();
+  const Vec3 potential = {length.x > 0.0 ? 0.0 : gravity.x, length.y > 0.0 ? 0.0 : gravity.y,
+                          length.z > 0.0 ? 0.0 : gravity.z};
   std::vector<double> translational, rotational, gravitational, elastic;
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const ParticleRecord& p = particles.record[i];
@@ -52,7 +55,7 @@ Energies measure_energies(const Communicator& comm, const Vec3& gravity, const M
     const double mass = mass_of(particles, materials, i);
     translational.push_back(0.5 * mass * squared_norm(p.velocity));
     rotational.push_back(0.5 * sphere_inertia(mass, p.radius) * squared_norm(p.spin));
-    gravitational.push_back(-mass * dot(gravity, p.position));
+    gravitational.push_back(-mass * dot(potential, p.position));
   }
   for_each_touching_pair(
       particles, pairs, [&](const PairGroup& g, std::size_t i, std::size_t j, double overlap, std::size_t lane) {

@@ -17,7 +17,7 @@ namespace repose {
 struct Energies {
   double translational = 0.0;
   double rotational = 0.0;
-  double gravitational = 0.0;  ///< -m g.x
+  double gravitational = 0.0;  ///< -m g.x, without the periodic directions, in which height has no meaning
   double elastic = 0.0;
   double total() const { return translational + rotational + gravitational + elastic; }
 };

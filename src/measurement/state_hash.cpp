@@ -46,7 +46,7 @@ std::string state_hash(const Communicator& comm, const Particles& particles, con
     if (is_parked(p)) continue;
     Digest digest;
     digest.add(static_cast<std::uint64_t>(particles.id[i]));
-    digest.add(p.position);
+    digest.add(particles.position(i));
     digest.add(p.velocity);
     digest.add(p.spin);
     std::vector<PairMemory> with_particles(pair_memory.row(i).begin(), pair_memory.row(i).end());

@@ -13,7 +13,8 @@ void TiltOnset::sample(const Communicator& comm, const Particles& particles, dou
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const ParticleRecord& p = particles.record[i];
     if (particles.id[i] == deck_.particle && !is_parked(p))
-      seen = {p.position.x, p.position.y, p.position.z, p.radius, 1.0};
+      const Vec3 x = particles.position(i);
+      seen = {x.x, x.y, x.z, p.radius, 1.0};
   }
   comm.sum_elements(std::span(seen.begin(), seen.end()));
   if (seen[4] == 0.0) return;

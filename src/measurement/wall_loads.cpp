@@ -17,9 +17,9 @@ Vec3 scaled(const std::int64_t (&sum)[4], double scale) {
 }
 
 /// What the wall does to each particle is in its sum; the particle does the opposite to the wall.
-void add_reaction(const ParticleRecord& p, const ForceSum& sum, Contributions& load) {
+void add_reaction(const ParticleRecord& p, const Vec3& position, const ForceSum& sum, Contributions& load) {
   const Vec3 force = -scaled(sum.force, p.force_scale);
-  const Vec3 torque = cross(p.position, force) - scaled(sum.torque, p.torque_scale);
+  const Vec3 torque = cross(position, force) - scaled(sum.torque, p.torque_scale);
   const std::array<double, 6> components = {force.x, force.y, force.z, torque.x, torque.y, torque.z};
   for (std::size_t k = 0; k < components.size(); ++k) load[k].push_back(components[k]);
 }
@@ -53,7 +53,7 @@ std::vector<WallLoad> measure_wall_loads(const Communicator& comm, VectorLevel l
       evaluate_walls(level, law, contacts, chosen[m], particles.record.data(), sums.data());
       for (const std::int32_t k : chosen[m]) {
         const auto i = static_cast<std::size_t>(contacts[static_cast<std::size_t>(k)].particle);
-        add_reaction(particles.record[i], sums[i], load);
+        add_reaction(particles.record[i], particles.position(i), sums[i], load);
         sums[i] = {};  // a particle with two contacts has given both
       }
     }

@@ -22,8 +22,9 @@ ParticleTable collect_particles(const Communicator& comm, const MaterialTable& m
   for (std::size_t i = 0; i < particles.owned; ++i) {
     if (is_parked(particles.record[i])) continue;
     const std::int64_t rank = particles.id[i] * comm.size() / std::max<std::int64_t>(inserted, 1);
-    PackBuffer(send[static_cast<std::size_t>(rank)])
-        .put(Row{particles.id[i], particles.record[i], particles.material[i]});
+    Row row{particles.id[i], particles.record[i], particles.material[i]};
+    row.record.position = particles.position(i);
+    PackBuffer(send[static_cast<std::size_t>(rank)]).put(row);
   }
   std::vector<Row> rows;
   for (const std::vector<char>& bytes : comm.exchange(send)) {

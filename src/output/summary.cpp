@@ -16,12 +16,17 @@ Json number(std::optional<double> value) { return value && std::isfinite(*value)
 
 Json particles_json(const Summary& summary) {
   Json exits = Json::object();
-  for (const ExitSummary& exit : summary.exits) exits[exit.face] = exit.particles;
+  Json masses = Json::object();
+  for (const ExitSummary& exit : summary.exits) {
+    exits[exit.name] = exit.particles;
+    masses[exit.name] = number(exit.mass_kg);
+  }
   return {{"planned", summary.planned},
           {"inserted", summary.inserted},
           {"inside", summary.inside},
           {"left", summary.left},
-          {"exits", exits}};
+          {"exits", exits},
+          {"exit_mass_kg", masses}};
 }
 
 Json figures_json(const SizeFigures& figures) {

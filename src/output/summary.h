@@ -17,10 +17,11 @@ struct PhaseSummary {
   std::string ended_by;  ///< the condition that held, or max_time
 };
 
-/// Particles that left through one face of the domain.
+/// What left by one exit: a named one, or the rest of a face of the domain.
 struct ExitSummary {
-  std::string face;
+  std::string name;
   std::int64_t particles = 0;
+  double mass_kg = 0.0;
 };
 
 /// The tilt at which a particle began to move.

@@ -12,6 +12,8 @@
 #include "scene/lattice.h"
 #include "scene/overlap.h"
 #include "scene/particle_csv.h"
+#include "scene/periodic_walls.h"
+#include "scene/periodicity.h"
 #include "scene/random_fill.h"
 #include "scene/size_distribution.h"
 
@@ -159,7 +161,7 @@ void check_pairs(const Insertion& insertion, const Deck& deck) {
 }
 
 void check_domain(const NewParticles& particles, const Origin& origin) {
-  const auto& [min, max] = origin.deck.domain;
+  const auto& [min, max, periodic] = origin.deck.domain;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Vec3& p = particles.position[i];
     if (p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y && p.z >= min.z && p.z < max.z) continue;
@@ -181,10 +183,13 @@ void check_walls(const NewParticles& particles, const Origin& origin, const std:
 }
 
 void check_overlaps(const NewParticles& particles, const Origin& origin) {
-  for_each_overlap(particles.position, particles.radius, [&](std::size_t i, std::size_t j) {
+  const SpheresWithImages all = with_images(Periodicity(origin.deck.domain), particles.position, particles.radius);
+  for_each_overlap(all.position, all.radius, [&](std::size_t a, std::size_t b) {
+    const std::size_t i = all.original[a];
+    const std::size_t j = all.original[b];
     if (origin.is_held(i) && origin.is_held(j)) return;
     const double smaller = std::min(particles.radius[i], particles.radius[j]);
-    const double apart = norm(particles.position[i] - particles.position[j]);
+    const double apart = norm(all.position[a] - all.position[b]);
     const double overlap = particles.radius[i] + particles.radius[j] - apart;
     // A block that is filled has no overlaps of its own, so any with another block means that their regions intersect.
     const bool blocks_intersect =
@@ -195,6 +200,12 @@ void check_overlaps(const NewParticles& particles, const Origin& origin) {
                                 blocks_intersect ? "a filled block must not overlap with another"
                                                  : fmt::format("the bound is {}", origin.deck.guards.max_overlap)));
   });
+}
+
+void check_periodic(const Insertion& insertion, const DomainDeck& domain, const std::vector<Wall>& walls) {
+  const double largest = insertion.largest_radius();
+  longest_skin(Periodicity(domain), largest);
+  check_walls_meet(domain, walls, largest);
 }
 
 }  // namespace
@@ -212,6 +223,7 @@ Insertion insert_particles(const Deck& deck, const std::vector<Wall>& walls, con
   check_domain(now, origin);
   check_walls(now, origin, walls);
   check_overlaps(now, origin);
+  check_periodic(blocks.result, deck.domain, walls);
   const auto twin = static_cast<int>(deck.materials.size());
   for (std::size_t i = 0; i < now.size(); ++i) now.material[i] += origin.is_held(i) ? twin : 0;
   return std::move(blocks.result);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,6 +33,11 @@ struct Insertion {
     for (const Pour& pour : pours) {
       for (const double radius : pour.radius) visit(radius, static_cast<std::size_t>(pour.material));
     }
+  }
+  double largest_radius() const {
+    double largest = 0.0;
+    for_each([&](double radius, std::size_t) { largest = std::max(largest, radius); });
+    return largest;
   }
 };
 

@@ -7,6 +7,7 @@
 #include "base/big_vector.h"
 #include "base/bytes.h"
 #include "base/vec3.h"
+#include "scene/periodicity.h"
 
 namespace repose {
 
@@ -43,6 +44,11 @@ struct Particles {
   std::vector<double> force_to_acceleration;   ///< owned: fixed-point force to m/s2
   std::vector<double> torque_to_acceleration;  ///< owned: fixed-point torque to rad/s2
   std::size_t owned = 0;
+  Periodicity periodic;
+
+  /// In the domain. The record's position of a particle that has crossed a periodic boundary is brought back there at
+  /// the next list rebuild only; whatever asks where a particle is, not how far two are apart, must ask here.
+  Vec3 position(std::size_t i) const { return periodic.wrapped(record[i].position); }
 
   std::size_t total() const { return id.size(); }  ///< owned and ghosts
   std::size_t ghosts() const { return total() - owned; }
@@ -51,6 +57,12 @@ struct Particles {
            bytes_of(torque_to_acceleration);
   }
 };
+
+/// Brings all owned particles back into the domain in the periodic directions.
+inline void wrap_positions(Particles& particles) {
+  if (!particles.periodic.any()) return;
+  for (std::size_t i = 0; i < particles.owned; ++i) particles.record[i].position = particles.position(i);
+}
 
 /// A particle that has left the domain is parked far away until the next list rebuild drops it: out of every contact
 /// from that very step on, on every rank that holds a copy. Parked particles are far from one another too.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene/particles.h"
 
@@ -11,8 +13,9 @@ namespace repose {
 /// particle has moved by more than its own skin. So a few fast grains make neither the lists of the others long nor
 /// rebuilds frequent.
 struct SkinRule {
-  double share;    ///< of the radius
-  double horizon;  ///< s
+  double share;                                              ///< of the radius
+  double horizon;                                            ///< s
+  double longest = std::numeric_limits<double>::infinity();  ///< m
 };
 
 /// Where a particle was when a list was made, and the square of its skin then.
@@ -22,7 +25,7 @@ struct alignas(32) Mark {
 };
 
 inline double skin_of(const ParticleRecord& particle, const SkinRule& rule) {
-  return rule.share * particle.radius + rule.horizon * norm(particle.velocity);
+  return std::min(rule.share * particle.radius + rule.horizon * norm(particle.velocity), rule.longest);
 }
 inline double reach_of(const ParticleRecord& particle, const SkinRule& rule) {
   return particle.radius + skin_of(particle, rule);

@@ -4,6 +4,7 @@ Usage: cli_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 """
 
 import json
+import math
 import os
 import pathlib
 import sys
@@ -96,6 +97,21 @@ class CommandLine(unittest.TestCase):
         s = self.program.run(deck, self.path("out"), "phase.settle.max_time=0.06")
         self.assertEqual([s["particles"][key] for key in ("inserted", "inside", "left")], [1, 0, 1])
         self.assertEqual(s["particles"]["exits"]["x_max"], 1)
+
+    def test_named_exits_are_counted_with_their_mass(self):
+        exit = '[[exit]]\nname = "spout"\nface = "x_max"\nmin = [0.0, "-1 mm", "-11 mm"]\nmax = [0.0, "1 mm", "40 mm"]\n\n'
+        deck = self.scene("0.0145,0,0.02,0.5,0,0,0,0,0,3e-4,carbohsp\n0.0145,0.005,0.02,0.5,0,0,0,0,0,2e-4,carbohsp\n",
+                          [("[output]", exit + "[output]")])
+        s = self.program.run(deck, self.path("out"), "phase.settle.max_time=0.06")
+        self.assertEqual(s["particles"]["exits"]["spout"], 1)
+        self.assertEqual(s["particles"]["exits"]["x_max"], 1)
+        self.assertEqual(s["particles"]["left"], 2)
+        grain = 3592.0 * math.pi / 6.0 * 6e-4**3
+        self.assertAlmostEqual(s["particles"]["exit_mass_kg"]["spout"] / grain, 1.0, places=9)
+        self.assertAlmostEqual(s["particles"]["exit_mass_kg"]["x_max"] / grain, 8.0 / 27.0, places=9)
+        rows = read_series(self.path("out"))
+        self.assertEqual(rows[0]["exit_spout_kg"], 0.0)
+        self.assertEqual(rows[-1]["exit_spout_kg"], s["particles"]["exit_mass_kg"]["spout"])
 
     def test_broken_physics_is_3_on_all_ranks(self):
         for ranks in (0, 2):

@@ -180,7 +180,7 @@ TEST_P(WallContactsTest, AParkedParticleTouchesNoPlane) {
     s.evaluate();
     ASSERT_EQ(s.touching().size(), 1U);
     ExitCount left;
-    retire_leavers({{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}}, s.materials, MassUnit(1.0), s.particles, left);
+    retire_leavers({{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}}, {}, s.materials, MassUnit(1.0), s.particles, left);
     EXPECT_FALSE(s.evaluate().any());
     EXPECT_TRUE(s.touching().empty());
   }

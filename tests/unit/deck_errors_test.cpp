@@ -245,6 +245,46 @@ TEST(DeckErrors, Phases) {
   });
 }
 
+TEST(DeckErrors, PeriodicDirections) {
+  const auto expect = [](const std::vector<std::string>& overrides, const std::string& message) {
+    EXPECT_EQ(message_of(example_deck, overrides), message);
+  };
+  expect({"domain.periodic=[\"x\", \"y\"]"}, "no error");
+  expect({"domain.periodic=[\"x\", \"x\"]"}, "--set domain.periodic=[\"x\", \"x\"]: \"x\" is given twice");
+  expect({"domain.periodic=[\"w\"]"},
+         "--set domain.periodic=[\"w\"]: \"w\" is no periodic.0; it must be one of x, y, z; the nearest is \"x\"");
+  expect({"domain.periodic=\"x\""},
+         "--set domain.periodic=\"x\": \"periodic\" must be a list of choices, not the text \"x\"");
+  expect(
+      {"gravity=[1, 0, -9]", "domain.periodic=[\"x\"]"},
+      "--set domain.periodic=[\"x\"]: gravity along x is not zero, so the fall along the periodic direction x has no "
+      "end; set time.expected_speed");
+  expect({"gravity=[1, 0, -9]", "domain.periodic=[\"x\"]", "time.expected_speed=2"}, "no error");
+  EXPECT_EQ(message_of(example_deck, {"gravity=[0, 0, 0]", "domain.periodic=[\"z\"]"}),
+            "deck.toml:76:1: the height z must not be a periodic direction of the [domain]");
+}
+
+TEST(DeckErrors, Exits) {
+  const auto expect = [](const std::string& keys, const std::string& message) {
+    EXPECT_EQ(message_of(std::string(example_deck) + "\n[[exit]]\n" + keys), message) << keys;
+  };
+  expect("name = \"hole\"\nface = \"z_min\"\nmin = [0, 0, 0]", "no error");
+  expect("name = \"hole\"\nface = \"bottom\"",
+         "deck.toml:84:8: \"bottom\" is no face; it must be one of x_min, x_max, y_min, y_max, z_min, z_max; the "
+         "nearest is \"x_min\"");
+  expect("name = \"hole\"", "deck.toml:82:1: [[exit]] lacks \"face\" (face of the domain)");
+  expect("name = \"x_min\"\nface = \"x_min\"", "deck.toml:83:8: \"x_min\" is the name of a whole face; take another");
+  expect("name = \"a\"\nface = \"x_min\"\n[[exit]]\nname = \"a\"\nface = \"x_max\"",
+         "deck.toml:86:8: there are two [[exit]] \"a\"; a name is used once");
+  expect("name = \"a\"\nface = \"x_min\"\nmin = [0, 0.05, 0]\nmax = [0, 0.05, 0.1]",
+         "deck.toml:86:7: from 0.05 to 0.05 in y is no part of the domain's face");
+  expect("name = \"a\"\nface = \"z_min\"\nmin = [0.1, 0, 0]",
+         "deck.toml:82:1: from 0.1 to 0.1 in x is no part of the domain's face");
+  EXPECT_EQ(message_of(std::string(example_deck) + "\n[[exit]]\nname = \"a\"\nface = \"y_max\"\n",
+                       {"domain.periodic=[\"y\"]"}),
+            "deck.toml:84:8: nothing leaves by \"y_max\": y is a periodic direction");
+}
+
 TEST(DeckErrors, TheFirstByPositionIsReported) {
   std::string deck = with("restitution = 0.9", "restitution = 9");
   deck.replace(deck.find("step = 1e-6"), 11, "stop = 1e-6");

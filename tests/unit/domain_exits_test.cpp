@@ -19,13 +19,14 @@ MaterialTable one_material() {
   return MaterialTable(deck);
 }
 
-constexpr DomainDeck domain = {{-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}};
+const DomainDeck domain = {{-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}};
 
 struct Exits {
   MaterialTable materials = one_material();
   MassUnit unit{1.0};
   Particles particles;
   ExitCount left;
+  std::vector<ExitDeck> exits;
 
   std::size_t add(const Vec3& position, double radius = 0.01) {
     particles.record.push_back({position, radius, {1.0, 2.0, 3.0}, 1.0, {4.0, 5.0, 6.0}, 1.0});
@@ -33,7 +34,7 @@ struct Exits {
     particles.material.push_back(0);
     return particles.owned - 1;
   }
-  void retire() { retire_leavers(domain, materials, unit, particles, left); }
+  void retire() { retire_leavers(domain, exits, materials, unit, particles, left); }
 };
 
 TEST(Exits, EachFaceIsCountedWithItsMass) {
@@ -83,6 +84,51 @@ TEST(Exits, LowerFacesAreInsideUpperOnesOutside) {
   e.retire();
   EXPECT_EQ(std::count_if(e.particles.record.begin(), e.particles.record.end(), is_parked), 6);
   EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{1, 1, 1, 1, 1, 1}));
+}
+
+TEST(Exits, NamedPartsOfAFaceAreCountedByName) {
+  Exits e;
+  e.exits = {{"hole", DomainFace::z_min, {-0.5, -0.5, 7.0}, {0.5, 0.5, 7.0}},  // z does not matter
+             {"around", DomainFace::z_min, {-0.8, -2.0, 0.0}, {0.8, 2.0, 0.0}},
+             {"side", DomainFace::x_max}};
+  e.add({0.0, 0.0, -3.1}, 0.02);   // hole; also around, but the first counts
+  e.add({-0.5, 0.4, -3.1}, 0.03);  // hole: its lower edge belongs to it
+  e.add({0.5, 0.4, -3.1}, 0.04);   // around: the upper edge of the hole does not belong to it
+  e.add({0.9, 0.0, -3.1}, 0.05);   // beside both
+  e.add({1.1, 0.0, 0.0}, 0.06);    // side
+  e.add({0.0, 0.0, 3.1}, 0.07);    // the top has no part
+  e.retire();
+  const auto mass = [&](double radius) { return e.unit.count(sphere_mass(radius, 2500.0)); };
+  EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{0, 1, 0, 0, 4, 1}));
+  EXPECT_EQ(e.left.named_particles, (std::vector<std::int64_t>{2, 1, 1}));
+  EXPECT_EQ(e.left.named_mass, (std::vector<std::int64_t>{mass(0.02) + mass(0.03), mass(0.04), mass(0.06)}));
+
+  const std::vector<ExitTotal> totals = exit_totals(e.exits, e.left);
+  ASSERT_EQ(totals.size(), 9U);
+  EXPECT_EQ(totals[4].name, "z_min");
+  EXPECT_EQ(totals[4].particles, 1);
+  EXPECT_EQ(totals[4].mass, mass(0.05));
+  EXPECT_EQ(totals[1].particles, 0);
+  EXPECT_EQ(totals[5].particles, 1);
+  EXPECT_EQ(totals[6].name, "hole");
+  EXPECT_EQ(totals[6].particles, 2);
+  EXPECT_EQ(totals[8].mass, mass(0.06));
+}
+
+// In a periodic direction a particle is where its image in the domain is.
+TEST(Exits, NothingLeavesInAPeriodicDirection) {
+  Exits e;
+  DomainDeck periodic = domain;
+  periodic.periodic = {Axis::x};
+  e.particles.periodic = Periodicity(periodic);
+  e.exits = {{"left_half", DomainFace::z_min, {-1.0, -2.0, 0.0}, {0.0, 2.0, 0.0}}};
+  e.add({-1.2, 0.0, 0.0});
+  e.add({1.3, 0.0, -3.1});   // its image is at -0.7
+  e.add({-1.3, 0.0, -3.1});  // at 0.7
+  retire_leavers(e.particles.periodic.open_bounds(periodic), e.exits, e.materials, e.unit, e.particles, e.left);
+  EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{0, 0, 0, 0, 2, 0}));
+  EXPECT_EQ(e.left.named_particles, std::vector<std::int64_t>{1});
+  EXPECT_FALSE(is_parked(e.particles.record[0]));
 }
 
 TEST(Exits, LeaversAreParkedOnceAndApart) {

@@ -126,7 +126,7 @@ Summary sample_summary() {
   summary.ranks = 4;
   summary.time_s = 0.1;
   summary.inserted = 9362;
-  summary.exits = {{"z_min", 3}};
+  summary.exits = {{"z_min", 3, 0.25}, {"chute", 5, 1.0 / 3.0}};
   summary.phases = {{"fill", 50000, "time"}, {"discharge", 220000, "max_time"}};
   summary.retained_mass_kg = 1.0 / 3.0;
   summary.plugged = false;
@@ -166,6 +166,9 @@ TEST_F(TextOutputTest, SummaryHasEveryKeyAndNoNan) {
   }
   EXPECT_EQ(json["particles"]["inserted"], 9362);
   EXPECT_EQ(json["particles"]["exits"]["z_min"], 3);
+  EXPECT_EQ(json["particles"]["exits"]["chute"], 5);
+  EXPECT_EQ(json["particles"]["exit_mass_kg"]["z_min"], 0.25);
+  EXPECT_EQ(json["particles"]["exit_mass_kg"]["chute"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(json["phases"][1]["ended_by"], "max_time");
   EXPECT_EQ(json["retained_mass_kg"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(json["plugged"], false);

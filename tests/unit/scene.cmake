@@ -3,7 +3,7 @@ repose_test(scene_wall_tests LABEL unit
   LINK repose_scene)
 repose_test(scene_insertion_tests LABEL unit
   SOURCES scene_csv_test.cpp scene_fill_test.cpp scene_insertion_test.cpp scene_overlap_test.cpp
-          scene_placement_test.cpp
+          scene_periodicity_test.cpp scene_placement_test.cpp
   LINK repose_scene)
 repose_test(scene_size_tests LABEL unit
   SOURCES scene_size_csv_test.cpp scene_sizes_test.cpp

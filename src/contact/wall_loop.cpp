@@ -57,6 +57,7 @@ template <class FaceShape>
 }
 
 /// Returns the number of contacts deeper than `max_overlap` times the radius.
+template <class Law>
 [[gnu::always_inline]] inline std::int64_t evaluate_geometry(const ParticleRecord* records, const ContactBlock& block,
                                                              const LaneWalls& walls, double density, double max_overlap,
                                                              LaneGeometry& contact, LaneBody& body) {
@@ -78,6 +79,7 @@ template <class FaceShape>
     store(p.velocity - v_n * n - arm * cross(p.spin, n), contact.tangential_velocity, k);
     // The thesis's program scales the rotation at a wall by the lever arm over the distance.
     store((arm / distance) * without_normal_part(p.spin, n), contact.rolling_velocity, k);
+    if constexpr (Law::has_options) store(n, contact.velocity_normal, k);  // of a flat wall, the same at all times
     store(arm, body.arm + k);
     body.set_scales(k, p);
     deep += overlap > max_overlap * p.radius;
@@ -85,6 +87,7 @@ template <class FaceShape>
   return count(deep);
 }
 
+template <class Law>
 [[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<WallContact> contacts,
                                                           std::span<const std::int32_t> chosen,
                                                           const PairParameters& pair, double dt, double max_overlap,
@@ -97,8 +100,8 @@ template <class FaceShape>
   for (std::size_t begin = 0; begin < chosen.size(); begin += block_lanes) {
     const auto lanes = chosen.subspan(begin, std::min<std::size_t>(block_lanes, chosen.size() - begin));
     gather_contacts(contacts, lanes, records, block, walls);
-    alarms.too_deep += evaluate_geometry(records, block, walls, pair.density_first, max_overlap, contact, body);
-    const std::uint64_t difference = evaluate_law(pair, dt, contact, body, nullptr, block, sums);
+    alarms.too_deep += evaluate_geometry<Law>(records, block, walls, pair.density_first, max_overlap, contact, body);
+    const std::uint64_t difference = evaluate_law<Law>(pair, dt, contact, body, nullptr, block, sums);
     alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
     for (std::size_t k = 0; k < lanes.size(); ++k) {
       contacts[static_cast<std::size_t>(lanes[k])].history = history(block, k);
@@ -107,7 +110,7 @@ template <class FaceShape>
   return alarms;
 }
 
-template <class FaceShape>
+template <class Law, class FaceShape>
 [[gnu::always_inline]] inline ContactAlarms evaluate_face(const FaceShape& face, FaceGroup& group,
                                                           const PairParameters& pair, double dt, double max_overlap,
                                                           const ParticleRecord* records, ForceSum* sums) {
@@ -119,8 +122,8 @@ template <class FaceShape>
     ContactBlock& block = group.blocks[n];
     if (n + 1 < group.blocks.size()) fetch_ahead(group.blocks[n + 1], records, sums);
     touch_face(face, group.lanes - n * block_lanes, records, block, walls);
-    alarms.too_deep += evaluate_geometry(records, block, walls, pair.density_first, max_overlap, contact, body);
-    const std::uint64_t difference = evaluate_law(pair, dt, contact, body, nullptr, block, sums);
+    alarms.too_deep += evaluate_geometry<Law>(records, block, walls, pair.density_first, max_overlap, contact, body);
+    const std::uint64_t difference = evaluate_law<Law>(pair, dt, contact, body, nullptr, block, sums);
     alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
   }
   return alarms;
@@ -131,16 +134,22 @@ template <class FaceShape>
 ContactAlarms evaluate_walls(VectorLevel level, std::span<WallContact> contacts, std::span<const std::int32_t> chosen,
                              const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
                              ForceSum* sums) {
-  return at_level(
-      level, [&]() REPOSE_INLINE { return evaluate_body(contacts, chosen, pair, dt, max_overlap, records, sums); });
+  return with_law(pair, [&](auto law) {
+    return at_level(level, [&]() REPOSE_INLINE {
+      return evaluate_body<decltype(law)>(contacts, chosen, pair, dt, max_overlap, records, sums);
+    });
+  });
 }
 
 ContactAlarms evaluate_faces(VectorLevel level, FaceGroup& group, const PairParameters& pair, double dt,
                              double max_overlap, const ParticleRecord* records, ForceSum* sums) {
   return std::visit(
       [&](const auto& face) {
-        return at_level(
-            level, [&]() REPOSE_INLINE { return evaluate_face(face, group, pair, dt, max_overlap, records, sums); });
+        return with_law(pair, [&](auto law) {
+          return at_level(level, [&]() REPOSE_INLINE {
+            return evaluate_face<decltype(law)>(face, group, pair, dt, max_overlap, records, sums);
+          });
+        });
       },
       group.face);
 }

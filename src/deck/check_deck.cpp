@@ -152,6 +152,7 @@ void check_deck(const Deck& deck, DeckErrors& errors) {
   const std::size_t errors_before = errors.count();
   check_materials(deck, materials, errors);
   if (errors.count() == errors_before) check_pairs(deck, errors);  // a misspelled material would lack its pairs as well
+  check_contact(deck, errors);
   check_wall_shapes(deck, errors);
   for (std::size_t i = 0; i < deck.particles.size(); ++i) {
     if (deck.particles[i].type == ParticlesType::fill) check_fill(i, deck, errors);

@@ -16,6 +16,7 @@ void describe(V& v, Deck& d) {
   v.section("domain", d.domain, required, "the box that is simulated; a particle that leaves it is counted and gone");
   v.sections("material", d.materials, required, "a solid");
   v.sections("pair", d.pairs, required, "contact of two materials, in either order");
+  v.section("contact", d.contact, optional, "the contact law; the defaults are that of the thesis");
   v.sections("wall", d.walls, optional, "a rigid surface, felt from both sides");
   v.sections("particles", d.particles, required, "a block of spheres");
   v.section("time", d.time, optional, "the time step");

@@ -59,6 +59,12 @@ constexpr auto enumerators(WallType) {
 constexpr auto enumerators(ParticlesType) { return std::array<std::string_view, 2>{"fill", "csv"}; }
 constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 2>{"cylinder", "box"}; }
 constexpr auto enumerators(PhaseUntil) { return std::array<std::string_view, 3>{"kinetic_energy", "time", "steps"}; }
+constexpr auto enumerators(NormalLaw) { return std::array<std::string_view, 2>{"hertz", "hooke"}; }
+constexpr auto enumerators(TangentialSpring) { return std::array<std::string_view, 2>{"projected", "rotated"}; }
+constexpr auto enumerators(RollingHistory) { return std::array<std::string_view, 2>{"fixed", "rotated"}; }
+constexpr auto enumerators(Integrator) {
+  return std::array<std::string_view, 2>{"velocity_verlet", "synchronised_verlet"};
+}
 constexpr auto enumerators(Camera) { return std::array<std::string_view, 2>{"orthographic", "perspective"}; }
 
 }  // namespace repose

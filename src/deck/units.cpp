@@ -22,6 +22,7 @@ constexpr Symbol density[] = {{"kg/m3", 0}, {"g/cm3", 3}, {"t/m3", 3}, {"g/m3", 
 constexpr Symbol speed[] = {{"m/s", 0}, {"km/s", 3}, {"cm/s", -2}, {"mm/s", -3}, {"um/s", -6}};
 constexpr Symbol acceleration[] = {{"m/s2", 0}, {"cm/s2", -2}, {"mm/s2", -3}};
 constexpr Symbol joule[] = {{"J", 0}, {"kJ", 3}, {"mJ", -3}, {"uJ", -6}, {"nJ", -9}, {"pJ", -12}, {"fJ", -15}};
+constexpr Symbol stiffness[] = {{"N/m", 0}, {"kN/m", 3}, {"N/mm", 3}, {"mN/m", -3}};
 
 struct Dimension {
   std::string_view name;
@@ -48,6 +49,8 @@ Dimension dimension(Unit unit) {
       return {"an acceleration", acceleration};
     case Unit::joule:
       return {"an energy", joule};
+    case Unit::stiffness:
+      return {"a stiffness", stiffness};
   }
   return {"a number", {}};
 }

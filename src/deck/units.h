@@ -6,7 +6,7 @@
 namespace repose {
 
 /// The SI unit of a key.
-enum class Unit { none, metre, second, kilogram, pascal, density, speed, acceleration, joule };
+enum class Unit { none, metre, second, kilogram, pascal, density, speed, acceleration, joule, stiffness };
 
 /// The SI symbol, such as "kg/m3"; "-" for a number without a unit.
 std::string_view symbol(Unit unit);

@@ -10,6 +10,7 @@
 #include "integration/velocity_verlet.h"
 #include "scene/sphere.h"
 #include "support/contact_law.h"
+#include "support/contact_options.h"
 #include "support/draw.h"
 #include "support/levels.h"
 #include "support/scenes.h"
@@ -23,10 +24,10 @@ constexpr double max_overlap = 0.3;
 
 /// Grains and walls. With lanes a grain near one face goes into the lanes of that face; without, it is searched.
 struct Setting {
-  explicit Setting(bool in_lanes) : lanes(in_lanes) {}
+  explicit Setting(bool in_lanes, const Deck& deck = bare_deck({}, dt)) : lanes(in_lanes), materials(deck) {}
 
   bool lanes;
-  MaterialTable materials{bare_deck({}, dt)};
+  MaterialTable materials;
   std::vector<Wall> walls;
   Particles particles;
   WallContacts contacts;
@@ -208,8 +209,8 @@ WallDeck tilted_plate() {
 }
 
 /// A crowd that touches the faces and edges of two walls, moved about for some steps with its lists made anew at times.
-Setting after_some_steps(bool lanes, VectorLevel level) {
-  Setting s(lanes);
+Setting after_some_steps(bool lanes, VectorLevel level, const Deck& deck = bare_deck({}, dt)) {
+  Setting s(lanes, deck);
   s.walls = {make_wall(funnel(), 1), make_wall(tilted_plate(), 1)};
   Draw draw(5);
   while (s.particles.owned < 300) {
@@ -226,11 +227,11 @@ Setting after_some_steps(bool lanes, VectorLevel level) {
   return s;
 }
 
-TEST(WallContactsInLanes, GiveTheBitsOfTheSearch) {
-  const Setting searched = after_some_steps(false, best_vector_level());
+void expect_the_bits_of_the_search(const Deck& deck) {
+  const Setting searched = after_some_steps(false, best_vector_level(), deck);
   ASSERT_GT(searched.touching().size(), 100U);
   for (const VectorLevel level : levels_here()) {
-    const Setting s = after_some_steps(true, level);
+    const Setting s = after_some_steps(true, level, deck);
     EXPECT_GT(s.contacts.in_lanes(), 150U);
     EXPECT_LT(s.contacts.in_lanes(), 300U);
     EXPECT_EQ(std::memcmp(s.particles.sum.data(), searched.particles.sum.data(), 300 * sizeof(ForceSum)), 0);
@@ -243,6 +244,16 @@ TEST(WallContactsInLanes, GiveTheBitsOfTheSearch) {
       EXPECT_EQ(std::memcmp(&a[k].history, &b[k].history, sizeof(ContactHistory)), 0);
     }
   }
+}
+
+TEST(WallContactsInLanes, GiveTheBitsOfTheSearch) { expect_the_bits_of_the_search(bare_deck({}, dt)); }
+
+TEST(WallContactsInLanes, GiveTheBitsOfTheSearchWithAllOptions) {
+  const Deck deck = with_all_options(bare_deck({}, dt));
+  expect_the_bits_of_the_search(deck);
+  const Setting a = after_some_steps(true, best_vector_level());
+  const Setting b = after_some_steps(true, best_vector_level(), deck);
+  EXPECT_NE(std::memcmp(a.particles.sum.data(), b.particles.sum.data(), 300 * sizeof(ForceSum)), 0);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include "scene/damping.h"
 
 namespace repose {
-
 namespace {
 
 /// Damping ratio and stiffness of Hooke's law, and the options.

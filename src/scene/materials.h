@@ -18,16 +18,16 @@ struct Material {
 struct PairParameters {
   double youngs_modulus_eff = 0.0;        ///< E_eff, Pa (thesis eq. 2.11)
   double shear_modulus_eff = 0.0;         ///< G_eff, Pa (thesis eq. 2.12)
-  double damping_ratio = 0.0;             ///< beta, in [-1, 0] (thesis eq. 2.10)
+  double damping_ratio = 0.0;             ///< beta, not positive (thesis eq. 2.10, or scene/damping.h)
   double tangential_damping_ratio = 0.0;  ///< c_t / c_n = sqrt(S_t / S_n) (thesis eqs. 2.8, 2.9)
   double sliding_friction = 0.0;          ///< mu
   double rolling_friction = 0.0;          ///< mu_r
   double density_first = 0.0;             ///< kg/m3, of the particle with the lower id
   double density_second = 0.0;            ///< kg/m3, unused at walls
-  ContactDeck options;
-  bool synchronised = false;            ///< synchronised Verlet
-  double hooke_stiffness = 0.0;         ///< k_n of Hooke's law, N/m
-  double hooke_tangential_ratio = 0.0;  ///< k_t / k_n of Hooke's law
+  ContactDeck options;                    ///< of the deck, the same for all pairs
+  bool synchronised = false;              ///< velocities belong to the normal of half a step ago
+  double hooke_stiffness = 0.0;           ///< k_n of Hooke's law, N/m
+  double hooke_tangential_ratio = 0.0;    ///< k_t / k_n of Hooke's law
 };
 
 /// Whether the contact law is that of the thesis, with none of the options.

@@ -293,19 +293,5 @@ TEST(DeckErrors, AnOverrideThatOpensASectionOwesItsKeys) {
             "orifice; particles with their centre below it are discharged)");
 }
 
-TEST(DeckErrors, ContactLaw) {
-  EXPECT_EQ(message_of(example_deck, {"contact.normal_law=hooke"}),
-            "deck.toml:17:1: [[pair]] lacks \"hooke_stiffness\", which contact.normal_law = \"hooke\" needs");
-  EXPECT_EQ(message_of(example_deck,
-                       {"contact.normal_law=hooke", "pair.0.hooke_stiffness=1 kN/m", "pair.1.hooke_stiffness=500"}),
-            "no error");
-  expect_messages({
-      {"restitution = 0.9", "restitution = 0.9\nhooke_stiffness = 1e3",
-       "20:19: \"hooke_stiffness\" belongs to contact.normal_law = \"hooke\"; set that, or remove this"},
-  });
-  EXPECT_EQ(message_of(with("restitution = 0.9", "restitution = 0.04"), {"contact.attraction=false"}),
-            "deck.toml:19:15: \"restitution\" = 0.04 is less than 0.05, the least with contact.attraction = false");
-}
-
 }  // namespace
 }  // namespace repose

@@ -18,6 +18,15 @@ constexpr double bytes_per_particle = 1000.0;
 constexpr double bytes_per_rank = 60e6;  // the program and its libraries
 constexpr double particle_steps_per_second_and_rank = 8e6;
 
+std::string limits_text(const Deck& deck, const TimeStep& dt) {
+  if (deck.contact.normal_law == NormalLaw::hooke) {
+    return fmt::format("limits      {:.4g} s Hooke ({:.0f} %)\n", dt.hooke_limit, 100.0 * deck.time.hooke_fraction);
+  }
+  return fmt::format("limits      {:.4g} s Rayleigh ({:.0f} %), {:.4g} s Hertz ({:.0f} %, at {:.3g} m/s)\n",
+                     dt.rayleigh_limit, 100.0 * deck.time.rayleigh_fraction, dt.hertz_limit,
+                     100.0 * deck.time.hertz_fraction, dt.speed);
+}
+
 }  // namespace
 
 std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks) {
@@ -36,9 +45,7 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   for (const SizeReport& sizes : insertion.sizes) report += size_report_text(sizes);
   report += fmt::format("time step   {:.6g} s, {}\n", dt.step,
                         dt.criterion == "given" ? "given in the deck" : "set by the " + dt.criterion + " criterion");
-  report += fmt::format("limits      {:.4g} s Rayleigh ({:.0f} %), {:.4g} s Hertz ({:.0f} %, at {:.3g} m/s)\n",
-                        dt.rayleigh_limit, 100.0 * deck.time.rayleigh_fraction, dt.hertz_limit,
-                        100.0 * deck.time.hertz_fraction, dt.speed);
+  report += limits_text(deck, dt);
   double steps = 0.0;
   for (const PhaseDeck& phase : deck.phases) {
     const auto longest = static_cast<double>(longest_steps(phase, dt.step));

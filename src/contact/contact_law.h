@@ -2,9 +2,8 @@
 
 #include "contact/lanes.h"
 // The laws find the arithmetic of quads, which lanes.h declares.
-#include "contact/epsd2.h"
-#include "contact/hertz.h"
-#include "contact/mindlin.h"
+#include "contact/general_law.h"
+#include "contact/thesis_law.h"
 
 namespace repose {
 
@@ -28,9 +27,17 @@ struct LaneLaw {
   }
 };
 
-/// The contact law of the thesis on every lane: Hertz normal, Mindlin tangential, EPSD2 rolling. Advances the histories
-/// of the block by `dt` s (0 leaves them as they are) and adds forces and torques to the sums of the first bodies, and
-/// of the second ones if those are particles (`b` is not null). Returns the difference that scatter collects.
+/// Calls `body` with the law of the pair: the only choice that is compiled twice, so that options cost nothing where
+/// there are none.
+template <class Body>
+auto with_law(const PairParameters& pair, const Body& body) {
+  return follows_thesis(pair) ? body(ThesisLaw{}) : body(GeneralLaw{});
+}
+
+/// The contact law on every lane. Advances the histories of the block by `dt` s (0 leaves them as they are) and adds
+/// forces and torques to the sums of the first bodies, and of the second ones if those are particles (`b` is not null).
+/// Returns the difference that scatter collects.
+template <class Law>
 [[gnu::always_inline]] inline std::uint64_t evaluate_law(const PairParameters& pair_in, double dt,
                                                          const LaneGeometry& lanes, const LaneBody& a,
                                                          const LaneBody* b, ContactBlock& block, ForceSum* sums) {
@@ -38,15 +45,15 @@ struct LaneLaw {
   LaneLaw law;
   for (int k = 0; k < block_lanes; k += 4) {
     const BasicContactGeometry<Quad> contact = lanes.get(k);
-    const QuadVec3 spring = trial_spring(contact, dt, load(block.spring, k));
+    const QuadVec3 spring = Law::spring(pair, contact, dt, load(block.spring, k));
     store(contact_radius(contact), law.contact_radius + k);
     store(spring, law.spring, k);
     store(square_root(squared_norm(spring)), law.spring_length + k);
   }
   for (int k = 0; k < block_lanes; k += 4) {
     const BasicContactGeometry<Quad> contact = lanes.get(k);
-    const BasicContactStiffness<Quad> stiffness = hertz_stiffness(pair, contact, load(law.contact_radius + k));
-    const QuadVec3 moment = trial_moment(stiffness, contact, dt, load(block.rolling, k));
+    const BasicContactStiffness<Quad> stiffness = Law::stiffness(pair, contact, load(law.contact_radius + k));
+    const QuadVec3 moment = Law::moment(pair, stiffness, contact, dt, load(block.rolling, k));
     law.set_stiffness(k, stiffness);
     store(moment, law.moment, k);
     store(square_root(squared_norm(moment)), law.moment_size + k);
@@ -54,7 +61,7 @@ struct LaneLaw {
   for (int k = 0; k < block_lanes; k += 4) {
     const BasicContactGeometry<Quad> contact = lanes.get(k);
     const BasicContactStiffness<Quad> stiffness = law.stiffness(k);
-    const Quad f_n = hertz_force(stiffness, contact);
+    const Quad f_n = Law::normal_force(pair, stiffness, contact);
     const BasicSlidingLimit<Quad> sliding = sliding_limit(pair, stiffness, f_n, load(law.spring_length + k));
     store(f_n, law.normal_force + k);
     store(sliding.share, law.sliding_share + k);
@@ -71,7 +78,7 @@ struct LaneLaw {
     store(where(touching, spring), block.spring, k);
     store(moment, block.rolling, k);
 
-    const QuadVec3 friction = mindlin_force(law.stiffness(k), contact, spring, load(law.sliding_damping + k));
+    const QuadVec3 friction = Law::friction(pair, law.stiffness(k), contact, spring, load(law.sliding_damping + k));
     const QuadVec3 force = load(law.normal_force + k) * contact.normal + friction;
     const QuadVec3 turn = cross(contact.normal, friction);
     const QuadVec3 taken = load(a.arm + k) * turn + moment;

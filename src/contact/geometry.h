@@ -17,6 +17,7 @@ struct BasicContactGeometry {
   Real normal_velocity;               ///< m/s, positive when parting
   Vector3<Real> tangential_velocity;  ///< m/s, of the surfaces at the contact point
   Vector3<Real> rolling_velocity;     ///< rad/s, relative rotation without its part along the normal
+  Vector3<Real> velocity_normal;      ///< the normal that the velocities refer to; only GeneralLaw reads it
 };
 using ContactGeometry = BasicContactGeometry<double>;
 

@@ -63,6 +63,7 @@ struct LaneBody {
 struct LaneGeometry {
   alignas(64) double normal[3][block_lanes], tangential_velocity[3][block_lanes], rolling_velocity[3][block_lanes];
   alignas(64) double overlap[block_lanes], radius_eff[block_lanes], mass_eff[block_lanes], normal_velocity[block_lanes];
+  alignas(64) double velocity_normal[3][block_lanes];  // of a law with options
   [[gnu::always_inline]] BasicContactGeometry<Quad> get(int k) const {
     return {.normal = load(normal, k),
             .overlap = load(overlap + k),
@@ -70,7 +71,8 @@ struct LaneGeometry {
             .mass_eff = load(mass_eff + k),
             .normal_velocity = load(normal_velocity + k),
             .tangential_velocity = load(tangential_velocity, k),
-            .rolling_velocity = load(rolling_velocity, k)};
+            .rolling_velocity = load(rolling_velocity, k),
+            .velocity_normal = load(velocity_normal, k)};
   }
 };
 

@@ -91,22 +91,28 @@ struct LanePairs {
   return count(deep);
 }
 
-[[gnu::always_inline]] inline void evaluate_velocities(const LanePairs& pairs, const LaneBody& first,
-                                                       const LaneBody& second, LaneGeometry& contact) {
+template <class Law>
+[[gnu::always_inline]] inline void evaluate_velocities(const PairParameters& pair_in, double dt, const LanePairs& pairs,
+                                                       const LaneBody& first, const LaneBody& second,
+                                                       LaneGeometry& contact) {
+  const PairParameters pair = pair_in;
   for (int k = 0; k < block_lanes; k += 4) {
     const QuadVec3 n = load(pairs.one_over_distance + k) * load(pairs.apart, k);
     const QuadVec3 v = load(pairs.velocity, k);
     const QuadVec3 spin_a = load(pairs.first_spin, k);
     const QuadVec3 spin_b = load(pairs.second_spin, k);
-    const Quad v_n = dot(v, n);
+    const QuadVec3 n_v = Law::velocity_normal(pair, dt, load(pairs.apart, k), v, n);
+    const Quad v_n = dot(v, n_v);
     const QuadVec3 turning = load(first.arm + k) * spin_a + load(second.arm + k) * spin_b;
     store(n, contact.normal, k);
     store(v_n, contact.normal_velocity + k);
-    store(v - v_n * n - cross(turning, n), contact.tangential_velocity, k);
-    store(without_normal_part(spin_a - spin_b, n), contact.rolling_velocity, k);
+    store(v - v_n * n_v - cross(turning, n_v), contact.tangential_velocity, k);
+    store(without_normal_part(spin_a - spin_b, n_v), contact.rolling_velocity, k);
+    if constexpr (Law::has_options) store(n_v, contact.velocity_normal, k);
   }
 }
 
+template <class Law>
 [[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<ContactBlock> blocks, const FetchList& fetch,
                                                           const PairParameters& pair, double dt, double max_overlap,
                                                           const ParticleRecord* records, ForceSum* sums) {
@@ -118,8 +124,8 @@ struct LanePairs {
     const Prefetch prefetch(blocks, fetch, k + 4, records, sums);
     gather_pairs(prefetch, records, blocks[k], pairs, first, second);
     alarms.too_deep += evaluate_overlaps(pair, max_overlap, pairs, contact, first, second);
-    evaluate_velocities(pairs, first, second, contact);
-    const std::uint64_t difference = evaluate_law(pair, dt, contact, first, &second, blocks[k], sums);
+    evaluate_velocities<Law>(pair, dt, pairs, first, second, contact);
+    const std::uint64_t difference = evaluate_law<Law>(pair, dt, contact, first, &second, blocks[k], sums);
     alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
   }
   return alarms;
@@ -130,8 +136,11 @@ struct LanePairs {
 ContactAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const FetchList& fetch,
                              const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
                              ForceSum* sums) {
-  return at_level(level,
-                  [&]() REPOSE_INLINE { return evaluate_body(blocks, fetch, pair, dt, max_overlap, records, sums); });
+  return with_law(pair, [&](auto law) {
+    return at_level(level, [&]() REPOSE_INLINE {
+      return evaluate_body<decltype(law)>(blocks, fetch, pair, dt, max_overlap, records, sums);
+    });
+  });
 }
 
 }  // namespace repose

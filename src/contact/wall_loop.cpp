@@ -62,6 +62,7 @@ struct SeenFromWall {
 }
 
 /// Returns the number of contacts deeper than the bound.
+template <class Law>
 [[gnu::always_inline]] inline std::int64_t evaluate_geometry(const WallLaw& law, const ParticleRecord* records,
                                                              const ContactBlock& block, const LaneWalls& walls,
                                                              LaneGeometry& contact, LaneBody& body) {
@@ -86,6 +87,7 @@ struct SeenFromWall {
     store(seen.velocity - v_n * n - arm * cross(p.spin, n), contact.tangential_velocity, k);
     // The thesis's program scales the rotation at a wall by the lever arm over the distance.
     store((arm / distance) * without_normal_part(seen.spin, n), contact.rolling_velocity, k);
+    if constexpr (Law::has_options) store(n, contact.velocity_normal, k);  // of a flat wall, the same at all times
     store(arm, body.arm + k);
     body.set_scales(k, p);
     deep += overlap > max_overlap * p.radius;
@@ -93,16 +95,18 @@ struct SeenFromWall {
   return count(deep);
 }
 
+template <class Law>
 [[gnu::always_inline]] inline void evaluate_block(const WallLaw& law, const LaneWalls& walls,
                                                   const ParticleRecord* records, ContactBlock& block, ForceSum* sums,
                                                   ContactAlarms& alarms) {
   LaneGeometry contact;
   LaneBody body;
-  alarms.too_deep += evaluate_geometry(law, records, block, walls, contact, body);
-  const std::uint64_t difference = evaluate_law(law.pair, law.dt, contact, body, nullptr, block, sums);
+  alarms.too_deep += evaluate_geometry<Law>(law, records, block, walls, contact, body);
+  const std::uint64_t difference = evaluate_law<Law>(law.pair, law.dt, contact, body, nullptr, block, sums);
   alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
 }
 
+template <class Law>
 [[gnu::always_inline]] inline ContactAlarms evaluate_body(const WallLaw& law, std::span<WallContact> contacts,
                                                           std::span<const std::int32_t> chosen,
                                                           const ParticleRecord* records, ForceSum* sums) {
@@ -112,7 +116,7 @@ struct SeenFromWall {
   for (std::size_t begin = 0; begin < chosen.size(); begin += block_lanes) {
     const auto lanes = chosen.subspan(begin, std::min<std::size_t>(block_lanes, chosen.size() - begin));
     gather_contacts(contacts, lanes, records, block, walls);
-    evaluate_block(law, walls, records, block, sums, alarms);
+    evaluate_block<Law>(law, walls, records, block, sums, alarms);
     for (std::size_t k = 0; k < lanes.size(); ++k) {
       contacts[static_cast<std::size_t>(lanes[k])].history = history(block, k);
     }
@@ -120,7 +124,7 @@ struct SeenFromWall {
   return alarms;
 }
 
-template <class FaceShape>
+template <class Law, class FaceShape>
 [[gnu::always_inline]] inline ContactAlarms evaluate_face(const WallLaw& law, const FaceShape& face, FaceGroup& group,
                                                           const ParticleRecord* records, ForceSum* sums) {
   LaneWalls walls;
@@ -131,7 +135,7 @@ template <class FaceShape>
       for (const std::int32_t particle : group.blocks[n + 1].first) fetch_ahead(particle, records, sums);
     }
     touch_face(face, law.placement, group.lanes - n * block_lanes, records, block, walls);
-    evaluate_block(law, walls, records, block, sums, alarms);
+    evaluate_block<Law>(law, walls, records, block, sums, alarms);
   }
   return alarms;
 }
@@ -140,14 +144,22 @@ template <class FaceShape>
 
 ContactAlarms evaluate_walls(VectorLevel level, const WallLaw& law, std::span<WallContact> contacts,
                              std::span<const std::int32_t> chosen, const ParticleRecord* records, ForceSum* sums) {
-  return at_level(level, [&]() REPOSE_INLINE { return evaluate_body(law, contacts, chosen, records, sums); });
+  return with_law(law.pair, [&](auto pair_law) {
+    return at_level(level, [&]() REPOSE_INLINE {
+      return evaluate_body<decltype(pair_law)>(law, contacts, chosen, records, sums);
+    });
+  });
 }
 
 ContactAlarms evaluate_faces(VectorLevel level, const WallLaw& law, FaceGroup& group, const ParticleRecord* records,
                              ForceSum* sums) {
   return std::visit(
       [&](const auto& face) {
-        return at_level(level, [&]() REPOSE_INLINE { return evaluate_face(law, face, group, records, sums); });
+        return with_law(law.pair, [&](auto pair_law) {
+          return at_level(level, [&]() REPOSE_INLINE {
+            return evaluate_face<decltype(pair_law)>(law, face, group, records, sums);
+          });
+        });
       },
       group.face);
 }

@@ -123,6 +123,7 @@ void check_deck(const Deck& deck, DeckErrors& errors) {
   check_materials(deck, materials, errors);
   if (errors.count() == errors_before) check_pairs(deck, errors);  // a misspelled material would lack its pairs as well
   check_domain(deck, errors);
+  check_contact(deck, errors);
   check_wall_shapes(deck, errors);
   check_particles(deck, errors);
   check_phases(deck, errors);

@@ -49,6 +49,20 @@ struct PairDeck {
   double restitution = unset;
   double sliding_friction = unset;
   double rolling_friction = unset;
+  double hooke_stiffness = unset;             ///< [contact] normal_law = hooke: k_n, N/m
+  double hooke_tangential_ratio = 2.0 / 7.0;  ///< [contact] normal_law = hooke: k_t / k_n
+};
+
+enum class NormalLaw { hertz, hooke };
+enum class TangentialSpring { projected, rotated };
+enum class RollingHistory { fixed, rotated };
+
+/// The defaults are the contact law of the thesis.
+struct ContactDeck {
+  NormalLaw normal_law = NormalLaw::hertz;
+  bool attraction = true;  ///< false: the normal force never pulls, and is damped to the same restitution
+  TangentialSpring tangential_spring = TangentialSpring::projected;
+  RollingHistory rolling_history = RollingHistory::fixed;
 };
 
 enum class MotionType { translation, oscillation, rotation };
@@ -146,10 +160,14 @@ constexpr bool comes_from_file(ParticlesType type) {
   return type == ParticlesType::csv || type == ParticlesType::snapshot;
 }
 
+enum class Integrator { velocity_verlet, synchronised_verlet };
+
 struct TimeDeck {
+  Integrator integrator = Integrator::velocity_verlet;
   double step = unset;  ///< given time step; default: from the criteria
   double rayleigh_fraction = 0.20;
   double hertz_fraction = 0.10;
+  double hooke_fraction = 0.02;
   double expected_speed = unset;  ///< default: free fall over the scene's height
 };
 
@@ -240,6 +258,7 @@ struct Deck {
   std::vector<ExitDeck> exits;           ///< [[exit]]
   std::vector<MaterialDeck> materials;   ///< [[material]]
   std::vector<PairDeck> pairs;           ///< [[pair]]
+  ContactDeck contact;
   std::vector<WallDeck> walls;           ///< [[wall]]
   std::vector<ParticlesDeck> particles;  ///< [[particles]]
   TiltDeck tilt;

@@ -19,6 +19,7 @@ void describe(V& v, Deck& d) {
              "a part of a face of the domain; what leaves through it is counted by its name");
   v.sections("material", d.materials, required, "a solid");
   v.sections("pair", d.pairs, required, "contact of two materials, in either order");
+  v.section("contact", d.contact, optional, "the contact law; the defaults are that of the thesis");
   v.sections("wall", d.walls, optional, "a rigid surface, felt from both sides");
   v.sections("particles", d.particles, required, "a block of spheres");
   v.section("tilt", d.tilt, optional, "tilts the apparatus: gravity turns the other way");

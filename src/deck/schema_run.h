@@ -40,13 +40,17 @@ void describe(V& v, TiltDeck& t) {
 
 template <class V>
 void describe(V& v, TimeDeck& t) {
+  v("integrator", t.integrator, Unit::none, any_value, optional,
+    "synchronised_verlet: histories follow the normal of half a step ago, for sizes that differ by 3 or more");
   v("rayleigh_fraction", t.rayleigh_fraction, Unit::none, above_to(0, 1), optional,
     "largest step as a share of the Rayleigh time");
   v("hertz_fraction", t.hertz_fraction, Unit::none, above_to(0, 1), optional,
     "largest step as a share of the Hertz time");
+  v("hooke_fraction", t.hooke_fraction, Unit::none, above_to(0, 1), optional,
+    "largest step as a share of the collision time, which replaces both others with normal_law = hooke");
   v("expected_speed", t.expected_speed, Unit::speed, above(0), optional_else("free fall over the scene's height"),
     "impact speed of the Hertz time");
-  v("step", t.step, Unit::second, above(0), optional_else("the smaller of the two shares"),
+  v("step", t.step, Unit::second, above(0), optional_else("the smallest of the shares"),
     "time step; longer than the shares allow is an error");
 }
 

@@ -20,6 +20,21 @@ void describe(V& v, PairDeck& p) {
   v("sliding_friction", p.sliding_friction, Unit::none, at_least(0), required, "Coulomb's coefficient of friction");
   v("rolling_friction", p.rolling_friction, Unit::none, at_least(0), required,
     "coefficient of rolling friction (EPSD2)");
+  v("hooke_stiffness", p.hooke_stiffness, Unit::stiffness, above(0), optional_else("none; normal_law = hooke needs it"),
+    "normal stiffness of normal_law = hooke");
+  v("hooke_tangential_ratio", p.hooke_tangential_ratio, Unit::none, above_to(0, 10), optional,
+    "tangential over normal stiffness of normal_law = hooke");
+}
+
+template <class V>
+void describe(V& v, ContactDeck& c) {
+  v("normal_law", c.normal_law, Unit::none, any_value, optional, "hertz: from the elastic constants; hooke: linear");
+  v("attraction", c.attraction, Unit::none, any_value, optional,
+    "whether the dashpot may pull as the surfaces part; false: damped anew to the same restitution");
+  v("tangential_spring", c.tangential_spring, Unit::none, any_value, optional,
+    "how the spring follows the normal: by its projection, or rotated with its length kept");
+  v("rolling_history", c.rolling_history, Unit::none, any_value, optional,
+    "how the rolling moment follows the normal: not, or rotated with its length kept");
 }
 
 template <class V>

@@ -77,6 +77,12 @@ constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 3>
 constexpr auto enumerators(LatticeType) {
   return std::array<std::string_view, 3>{"simple_cubic", "body_centred", "face_centred"};
 }
+constexpr auto enumerators(NormalLaw) { return std::array<std::string_view, 2>{"hertz", "hooke"}; }
+constexpr auto enumerators(TangentialSpring) { return std::array<std::string_view, 2>{"projected", "rotated"}; }
+constexpr auto enumerators(RollingHistory) { return std::array<std::string_view, 2>{"fixed", "rotated"}; }
+constexpr auto enumerators(Integrator) {
+  return std::array<std::string_view, 2>{"velocity_verlet", "synchronised_verlet"};
+}
 constexpr auto enumerators(Camera) { return std::array<std::string_view, 2>{"orthographic", "perspective"}; }
 
 }  // namespace repose

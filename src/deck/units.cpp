@@ -30,6 +30,7 @@ constexpr Symbol per_second[] = {{"1/s", 0}, {"1/ms", 3}};
 
 constexpr Symbol hertz[] = {{"Hz", 0}, {"kHz", 3}};
 constexpr Symbol angular_speed[] = {{"rad/s", 0}, {"deg/s", 0, pi / 180.0}, {"rpm", 0, pi / 30.0}};
+constexpr Symbol stiffness[] = {{"N/m", 0}, {"kN/m", 3}, {"N/mm", 3}, {"mN/m", -3}};
 
 struct Dimension {
   std::string_view name;
@@ -64,6 +65,8 @@ Dimension dimension(Unit unit) {
       return {"a mass per time", mass_rate};
     case Unit::per_second:
       return {"a number per time", per_second};
+    case Unit::stiffness:
+      return {"a stiffness", stiffness};
   }
   return {"a number", {}};
 }

@@ -19,7 +19,8 @@ enum class Unit {
   mass_rate,
   per_second,
   hertz,
-  angular_speed
+  angular_speed,
+  stiffness
 };
 
 /// The SI symbol, such as "kg/m3"; "-" for a number without a unit.

@@ -30,25 +30,69 @@ double shortest_rayleigh_time(const MaterialTable& materials, const SmallestRadi
   return shortest;
 }
 
-/// Shortest Hertz time of all particles with one another and with every material they have a pair with.
-double shortest_hertz_time(const MaterialTable& materials, const SmallestRadii& radii, double speed) {
+/// Least value of time(pair, radius_eff, mass_eff) for all particles with one another and with every material they have
+/// a pair with.
+template <class Time>
+double shortest_contact_time(const MaterialTable& materials, const SmallestRadii& radii, const Time& time) {
   double shortest = infinite;
   for (std::size_t a = 0; a < materials.size(); ++a) {
     const double radius = radii.of_material[a];
     if (!(radius < infinite) || materials.is_held(static_cast<std::int32_t>(a))) continue;
     const double mass = sphere_mass(radius, materials[a].density);
     for (std::size_t b = 0; b < materials.size(); ++b) {
-      const double stiffness = materials.pair(a, b).youngs_modulus_eff;
-      if (stiffness <= 0.0) continue;
-      shortest = std::min(shortest, hertz_time(radius, mass, stiffness, speed));  // at a wall
+      const PairParameters& pair = materials.pair(a, b);
+      if (pair.youngs_modulus_eff <= 0.0) continue;
+      shortest = std::min(shortest, time(pair, radius, mass));  // at a wall
       const double other = radii.of_material[b];
       if (!(other < infinite)) continue;
-      const double other_mass = sphere_mass(other, materials.pair(a, b).density_second);
-      shortest = std::min(shortest, hertz_time(radius * other / (radius + other),
-                                               mass * other_mass / (mass + other_mass), stiffness, speed));
+      const double other_mass = sphere_mass(other, pair.density_second);
+      shortest =
+          std::min(shortest, time(pair, radius * other / (radius + other), mass * other_mass / (mass + other_mass)));
     }
   }
   return shortest;
+}
+
+double shortest_hertz_time(const MaterialTable& materials, const SmallestRadii& radii, double speed) {
+  return shortest_contact_time(materials, radii,
+                               [speed](const PairParameters& pair, double radius_eff, double mass_eff) {
+                                 return hertz_time(radius_eff, mass_eff, pair.youngs_modulus_eff, speed);
+                               });
+}
+
+double shortest_hooke_time(const MaterialTable& materials, const SmallestRadii& radii) {
+  return shortest_contact_time(materials, radii, [](const PairParameters& pair, double, double mass_eff) {
+    return hooke_time(mass_eff, pair.hooke_stiffness, pair.hooke_tangential_ratio);
+  });
+}
+
+TimeStep limits_of(const Deck& deck, const MaterialTable& materials, const SmallestRadii& radii, double speed) {
+  TimeStep limits;
+  limits.speed = speed;
+  if (deck.contact.normal_law == NormalLaw::hooke) {
+    limits.hooke_limit = deck.time.hooke_fraction * shortest_hooke_time(materials, radii);
+  } else {
+    limits.rayleigh_limit = deck.time.rayleigh_fraction * shortest_rayleigh_time(materials, radii);
+    limits.hertz_limit = deck.time.hertz_fraction * shortest_hertz_time(materials, radii, speed);
+    limits.hertz_limit_at_1 = deck.time.hertz_fraction * shortest_hertz_time(materials, radii, 1.0);
+  }
+  return limits;
+}
+
+/// What limits the step: its name, its share, the limit in s.
+struct Criterion {
+  std::string name;
+  std::string title;
+  double share;
+  double limit;
+};
+
+Criterion tightest(const TimeDeck& time, const TimeStep& limits) {
+  const Criterion all[] = {{"hertz", "Hertz", time.hertz_fraction, limits.hertz_limit},
+                           {"rayleigh", "Rayleigh", time.rayleigh_fraction, limits.rayleigh_limit},
+                           {"hooke", "Hooke", time.hooke_fraction, limits.hooke_limit}};
+  return *std::min_element(std::begin(all), std::end(all),
+                           [](const Criterion& a, const Criterion& b) { return a.limit < b.limit; });
 }
 
 /// The greatest speed that walls and particles on prescribed paths have.
@@ -68,6 +112,10 @@ double rayleigh_time(double radius, const Material& material) {
 
 double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff, double speed) {
   return 2.87 * fifth_root(mass_eff * mass_eff / (radius_eff * youngs_modulus_eff * youngs_modulus_eff * speed));
+}
+
+double hooke_time(double mass_eff, double stiffness, double tangential_ratio) {
+  return pi * std::sqrt(mass_eff / (stiffness * std::max(1.0, 3.5 * tangential_ratio)));
 }
 
 double expected_speed(const Deck& deck, const NewParticles& particles) {
@@ -92,31 +140,26 @@ double expected_speed(const Deck& deck, const NewParticles& particles) {
 }
 
 TimeStep choose_time_step(const Deck& deck, const MaterialTable& materials, const SmallestRadii& radii, double speed) {
-  TimeStep result;
-  result.speed = speed;
-  result.rayleigh_limit = deck.time.rayleigh_fraction * shortest_rayleigh_time(materials, radii);
-  result.hertz_limit = deck.time.hertz_fraction * shortest_hertz_time(materials, radii, speed);
-  result.hertz_limit_at_1 = deck.time.hertz_fraction * shortest_hertz_time(materials, radii, 1.0);
-  const bool rayleigh_is_shorter = result.rayleigh_limit < result.hertz_limit;
-  const double limit = std::min(result.rayleigh_limit, result.hertz_limit);
+  TimeStep result = limits_of(deck, materials, radii, speed);
+  const Criterion tight = tightest(deck.time, result);
   if (std::isnan(deck.time.step)) {
-    result.step = limit;
-    result.criterion = rayleigh_is_shorter ? "rayleigh" : "hertz";
+    result.step = tight.limit;
+    result.criterion = tight.name;
     return result;
   }
   result.step = deck.time.step;
   result.criterion = "given";
-  if (result.step > limit) {
+  if (result.step > tight.limit) {
     throw DeckError(fmt::format(
-        "time.step = {:.4g} s is too long: {:.0f} % of the {} is {:.4g} s{}; shorten it, or leave time.step out",
-        result.step, 100.0 * (rayleigh_is_shorter ? deck.time.rayleigh_fraction : deck.time.hertz_fraction),
-        rayleigh_is_shorter ? "Rayleigh time" : "Hertz time", limit,
-        rayleigh_is_shorter ? "" : fmt::format(" at the expected speed of {:.3g} m/s", speed)));
+        "time.step = {:.4g} s is too long: {:.0f} % of the {} time is {:.4g} s{}; shorten it, or leave time.step out",
+        result.step, 100.0 * tight.share, tight.title, tight.limit,
+        tight.name == "hertz" ? fmt::format(" at the expected speed of {:.3g} m/s", speed) : ""));
   }
   return result;
 }
 
 double time_step_excess(const TimeStep& step, double speed) {
+  if (step.hooke_limit < infinite) return step.step / step.hooke_limit;
   // t_hertz ~ speed^-1/5, so (dt / limit)^5 = (dt / limit at 1 m/s)^5 speed
   const double hertz = fifth_root(power_fifth(step.step / step.hertz_limit_at_1) * std::max(speed, 1e-12));
   return std::max(hertz, step.step / step.rayleigh_limit);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 
@@ -15,20 +16,28 @@ double rayleigh_time(double radius, const Material& material);
 /// Duration in s of a Hertz impact at `speed` m/s (thesis eq. 2.25 with effective quantities).
 double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff, double speed);
 
+/// Shortest half period in s of the springs of Hooke's law: pi sqrt(m_eff / k_n), the duration of an undamped impact,
+/// or that of the tangential spring, pi sqrt(2/7 m_eff / k_t), where k_t exceeds 2/7 k_n (Silbert and others 2001,
+/// doi:10.1103/PhysRevE.64.051302).
+double hooke_time(double mass_eff, double stiffness, double tangential_ratio);
+
 /// Speed in m/s that the deck expects at most: given, or the greatest that any particle can reach in free fall along
 /// gravity from where and as fast as it starts, or will be poured, to the far side of the domain, or that a wall or a
 /// particle on a prescribed path has.
 double expected_speed(const Deck& deck, const NewParticles& particles);
 
-/// The time step and what limits it, all in s; hertz_limit_at_1 is the Hertz criterion at 1 m/s (it scales as
-/// speed^-1/5).
+/// The time step and what limits it, all in s: by the shares of the Rayleigh time of the worst particle and of the
+/// Hertz time of the worst pair at the expected speed, or, with Hooke's law, of the Hooke time of the worst pair alone.
+/// What does not limit it is infinite.
 struct TimeStep {
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
   double step = 0.0;
-  double rayleigh_limit = 0.0;  ///< fraction x Rayleigh time of the worst particle
-  double hertz_limit = 0.0;     ///< fraction x Hertz time of the worst pair at the expected speed
-  double hertz_limit_at_1 = 0.0;
+  double rayleigh_limit = infinite;
+  double hertz_limit = infinite;
+  double hertz_limit_at_1 = infinite;  ///< at 1 m/s (it scales as speed^-1/5)
+  double hooke_limit = infinite;
   double speed = 0.0;     ///< m/s, expected
-  std::string criterion;  ///< "rayleigh", "hertz" or "given"
+  std::string criterion;  ///< "rayleigh", "hertz", "hooke" or "given"
 };
 
 /// Smallest radius of the particles of each material; infinity where there are none.

@@ -117,8 +117,7 @@ void set_fixed_point_scales(const MaterialTable& materials, double max_overlap, 
     const auto material = static_cast<std::size_t>(particles.material[i]);
     const double mass = sphere_mass(p.radius, materials[material].density);
     const double overlap = max_overlap * p.radius;
-    const double force =
-        room * 4.0 / 3.0 * materials.stiffest_partner(material) * std::sqrt(p.radius * overlap) * overlap;
+    const double force = room * materials.greatest_force(material, p.radius, overlap);
     p.force_scale = scale_for(force);
     p.torque_scale = scale_for(force * p.radius);
     particles.force_to_acceleration[i] = 1.0 / (p.force_scale * mass);

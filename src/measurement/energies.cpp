@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "comm/order_independent_sum.h"
-#include "contact/hertz.h"
+#include "contact/general_law.h"
 #include "scene/sphere.h"
 
 namespace repose {
@@ -17,9 +17,10 @@ double spring_energy(const PairParameters& pair, double overlap, double radius_e
   ContactGeometry contact = {};
   contact.overlap = overlap;
   contact.radius_eff = radius_eff;
-  const ContactStiffness k = hertz_stiffness(pair, contact, contact_radius(contact));
+  const ContactStiffness k = GeneralLaw::stiffness(pair, contact, contact_radius(contact));
+  const double work = pair.options.normal_law == NormalLaw::hooke ? 0.5 : 0.4;
   const double k_r = k.tangential * radius_eff * radius_eff;
-  return 0.4 * k.normal * overlap * overlap + 0.5 * k.tangential * squared_norm(history.spring) +
+  return work * k.normal * overlap * overlap + 0.5 * k.tangential * squared_norm(history.spring) +
          0.5 * squared_norm(history.rolling) / k_r;
 }
 

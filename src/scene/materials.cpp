@@ -3,15 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/math.h"
+#include "scene/damping.h"
 
 namespace repose {
+namespace {
 
-double damping_ratio(double restitution) {
-  if (restitution <= 0.0) return -1.0;
-  const double log_e = log_reproducible(restitution);
-  return log_e / std::sqrt(log_e * log_e + pi * pi);
+/// Damping ratio and stiffness of Hooke's law, and the options.
+void set_options(const Deck& deck, const PairDeck& deck_pair, PairParameters& p) {
+  p.options = deck.contact;
+  p.synchronised = deck.time.integrator == Integrator::synchronised_verlet;
+  if (deck.contact.normal_law == NormalLaw::hooke) {
+    p.hooke_stiffness = deck_pair.hooke_stiffness;
+    p.hooke_tangential_ratio = deck_pair.hooke_tangential_ratio;
+    p.tangential_damping_ratio = std::sqrt(p.hooke_tangential_ratio);
+  }
+  if (deck.contact.attraction) return;
+  const double attractive = p.damping_ratio;
+  p.damping_ratio = damping_ratio_without_attraction(deck_pair.restitution);
+  // The tangential dashpot is not cut: it stays as it is.
+  if (p.damping_ratio != 0.0) p.tangential_damping_ratio *= attractive / p.damping_ratio;
 }
+
+}  // namespace
 
 MaterialTable::MaterialTable(const Deck& deck) {
   for (const MaterialDeck& m : deck.materials) {
@@ -35,6 +48,7 @@ MaterialTable::MaterialTable(const Deck& deck) {
       p.tangential_damping_ratio = std::sqrt(4.0 * p.shear_modulus_eff / p.youngs_modulus_eff);
       p.sliding_friction = deck_pair.sliding_friction;
       p.rolling_friction = deck_pair.rolling_friction;
+      set_options(deck, deck_pair, p);
       set_pairs(i, j, p);
     }
   }
@@ -61,12 +75,24 @@ int MaterialTable::index_of(const std::string& name) const {
   return static_cast<int>(found - materials_.begin());
 }
 
-double MaterialTable::stiffest_partner(std::size_t material) const {
-  double stiffest = 0.0;
+double MaterialTable::greatest_force(std::size_t material, double radius, double overlap) const {
+  double greatest = 0.0;
   for (std::size_t other = 0; other < size(); ++other) {
-    stiffest = std::max(stiffest, pair(material, other).youngs_modulus_eff);
+    const PairParameters& p = pair(material, other);
+    greatest = std::max(greatest, std::max(1.0, -p.damping_ratio) * spring_force(p, radius, overlap));
   }
-  return stiffest;
+  return greatest;
+}
+
+bool follows_thesis(const PairParameters& pair) {
+  const ContactDeck& o = pair.options;
+  return o.normal_law == NormalLaw::hertz && o.attraction && o.tangential_spring == TangentialSpring::projected &&
+         o.rolling_history == RollingHistory::fixed && !pair.synchronised;
+}
+
+double spring_force(const PairParameters& pair, double radius_eff, double overlap) {
+  if (pair.options.normal_law == NormalLaw::hooke) return pair.hooke_stiffness * overlap;
+  return 4.0 / 3.0 * pair.youngs_modulus_eff * std::sqrt(radius_eff * overlap) * overlap;
 }
 
 }  // namespace repose

@@ -19,17 +19,23 @@ struct Material {
 struct PairParameters {
   double youngs_modulus_eff = 0.0;        ///< E_eff, Pa (thesis eq. 2.11)
   double shear_modulus_eff = 0.0;         ///< G_eff, Pa (thesis eq. 2.12)
-  double damping_ratio = 0.0;             ///< beta, in [-1, 0] (thesis eq. 2.10)
+  double damping_ratio = 0.0;             ///< beta, not positive (thesis eq. 2.10, or scene/damping.h)
   double tangential_damping_ratio = 0.0;  ///< c_t / c_n = sqrt(S_t / S_n) (thesis eqs. 2.8, 2.9)
   double sliding_friction = 0.0;          ///< mu
   double rolling_friction = 0.0;          ///< mu_r
   double density_first = 0.0;             ///< kg/m3, of the particle with the lower id; of a held one beyond measure
   double density_second = 0.0;            ///< kg/m3, unused at walls
+  ContactDeck options;                    ///< of the deck, the same for all pairs
+  bool synchronised = false;              ///< velocities belong to the normal of half a step ago
+  double hooke_stiffness = 0.0;           ///< k_n of Hooke's law, N/m
+  double hooke_tangential_ratio = 0.0;    ///< k_t / k_n of Hooke's law
 };
 
-/// beta = ln e / sqrt(ln^2 e + pi^2) (thesis eq. 2.10); e = 0 gives -1, e = 1 gives 0. The Hertz damping built on it
-/// returns the restitution coefficient e it is fed (Tsuji, Tanaka, Ishida 1992, doi:10.1016/0032-5910(92)88030-L).
-double damping_ratio(double restitution);
+/// Whether the contact law is that of the thesis, with none of the options.
+bool follows_thesis(const PairParameters& pair);
+
+/// N: of the spring alone, at an overlap of `overlap` m and an effective radius of `radius_eff` m.
+double spring_force(const PairParameters& pair, double radius_eff, double overlap);
 
 /// The materials of a deck and the symmetric table of their pairs, by index. Behind the materials come their twins for
 /// particles that are held (fixed, or on a prescribed path): the same solid, in contacts of infinite mass.
@@ -46,8 +52,9 @@ class MaterialTable {
   const Material& operator[](std::size_t index) const { return materials_[index]; }
   int index_of(const std::string& name) const;
   const PairParameters& pair(std::size_t first, std::size_t second) const { return pairs_[first * size() + second]; }
-  /// Greatest E_eff that a particle of this material can meet, Pa.
-  double stiffest_partner(std::size_t material) const;
+  /// Greatest normal force in N that a particle of this material and `radius` m can meet at an overlap of `overlap` m,
+  /// without dashpots, times the damping ratio where that exceeds 1.
+  double greatest_force(std::size_t material, double radius, double overlap) const;
 
  private:
   void set_pairs(std::size_t first, std::size_t second, const PairParameters& parameters);

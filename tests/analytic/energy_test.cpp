@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "measurement/energies.h"
+#include "support/contact_options.h"
 #include "support/scenes.h"
 
 namespace repose::test {
@@ -86,6 +87,67 @@ TEST(Energy, NeverGrowsWithFrictionAndLosses) {
     before = now;
   }
   EXPECT_LT(before, 0.5 * initial);  // it did collapse
+}
+
+struct ObliqueImpact {
+  double change_in_contact = 0.0;  ///< greatest of the total energy, over its initial value
+  double change = 0.0;             ///< from before to after
+};
+
+bool has_spring(Scene& scene) {
+  bool found = false;
+  for (const PairGroup& group : scene.simulation().pairs().groups()) {
+    for (const ContactBlock& block : group.blocks) {
+      for (std::size_t lane = 0; lane < block_lanes; ++lane) found |= norm(history(block, lane).spring) > 0.0;
+    }
+  }
+  return found;
+}
+
+/// Two elastic grains that spin meet at an angle and stick until they part.
+ObliqueImpact oblique_impact(const Deck& deck) {
+  Scene scene(deck, {{{0, 0, 0}, {}, {30, -20, 10}, radius},
+                     {{1e-4, 0, 1.45 * radius}, {0.05, 0.02, -0.1}, {-10, 40, 5}, 0.5 * radius}});
+  const double initial = total_energy(scene);
+  ObliqueImpact impact;
+  for (int sample = 0; sample < 2000; ++sample) {
+    scene.run(5);
+    impact.change = std::fabs(total_energy(scene) / initial - 1.0);
+    if (has_spring(scene)) impact.change_in_contact = std::max(impact.change_in_contact, impact.change);
+  }
+  EXPECT_GT(impact.change_in_contact, 0.0);  // they have met
+  return impact;
+}
+
+Deck elastic_deck(double rolling_friction) {
+  Coefficients c;
+  c.restitution_pp = 1.0;
+  c.sliding_pp = 1e6;
+  c.rolling_pp = rolling_friction;
+  return bare_deck(c, 2e-8);
+}
+
+TEST(Energy, OfHookesSpringsIsKeptWhileTheyTouch) {
+  Deck deck = elastic_deck(1e6);
+  const ObliqueImpact hertz = oblique_impact(deck);
+  deck = with_hooke(deck);
+  const ObliqueImpact fixed = oblique_impact(deck);
+  deck.contact.tangential_spring = TangentialSpring::rotated;
+  deck.contact.rolling_history = RollingHistory::rotated;
+  const ObliqueImpact rotated = oblique_impact(deck);
+  std::cout << "  Hertz " << hertz.change_in_contact << ", Hooke " << fixed.change_in_contact << ", rotated "
+            << rotated.change_in_contact << "\n";
+  EXPECT_GT(hertz.change_in_contact, 0.1);  // k_t and k_r change with the overlap
+  EXPECT_LT(fixed.change_in_contact, 2e-3);
+  EXPECT_LT(rotated.change_in_contact, 2e-3);
+}
+
+// With k_t = 2/7 k_n the tangential spring has the period of the normal one: it is relaxed when the surfaces part.
+TEST(Energy, OfHookesSpringsIsGivenBackAtTwoSevenths) {
+  Deck deck = with_hooke(elastic_deck(0.0));
+  EXPECT_LT(oblique_impact(deck).change, 1e-4);
+  deck.pairs[0].hooke_tangential_ratio = 0.5;
+  EXPECT_GT(oblique_impact(deck).change, 1e-2);
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "contact/epsd2.h"
-#include "contact/hertz.h"
-#include "contact/mindlin.h"
+#include "contact/contact_law.h"
 #include "scene/contact_memory.h"
 
 // The contact law for one contact, in the order in which docs/theory.md tells it.
@@ -36,13 +34,24 @@ struct ContactForces {
 };
 
 /// `history` advances by `dt` (0 leaves it as it is).
+template <class Law>
+ContactForces contact_law_of(const PairParameters& pair, const ContactGeometry& contact, double dt,
+                             ContactHistory& history) {
+  const ContactStiffness k = Law::stiffness(pair, contact, contact_radius(contact));
+  const double f_n = Law::normal_force(pair, k, contact);
+  const Vec3 spring = Law::spring(pair, contact, dt, history.spring);
+  const Vec3 moment = Law::moment(pair, k, contact, dt, history.rolling);
+  const BasicSlidingLimit<double> limit = sliding_limit(pair, k, f_n, norm(spring));
+  history.spring = limit.share * spring;
+  history.rolling = rolling_limit(pair, contact, f_n, norm(moment)) * moment;
+  const Vec3 f_t = Law::friction(pair, k, contact, history.spring, limit.damping);
+  return {f_n * contact.normal + f_t, cross(contact.normal, f_t), history.rolling};
+}
+
+/// The law that the loops choose for the pair.
 inline ContactForces contact_law(const PairParameters& pair, const ContactGeometry& contact, double dt,
                                  ContactHistory& history) {
-  const ContactStiffness k = hertz_stiffness(pair, contact);
-  const double f_n = hertz_force(k, contact);
-  const Vec3 f_t = mindlin_force(pair, k, contact, f_n, dt, history.spring);
-  history.rolling = epsd2_moment(pair, k, contact, f_n, dt, history.rolling);
-  return {f_n * contact.normal + f_t, cross(contact.normal, f_t), history.rolling};
+  return with_law(pair, [&](auto law) { return contact_law_of<decltype(law)>(pair, contact, dt, history); });
 }
 
 }  // namespace repose::test

@@ -1,5 +1,5 @@
 repose_test(unit_contact LABEL unit
-  SOURCES contact_law_test.cpp contact_materials_test.cpp contact_fixed_point_test.cpp contact_pair_loop_test.cpp
+  SOURCES contact_law_test.cpp contact_options_test.cpp contact_materials_test.cpp contact_fixed_point_test.cpp contact_pair_loop_test.cpp
           contact_walls_test.cpp
   LINK repose_test_scenes)
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "contact_samples.h"
+#include "scene/damping.h"
 
 namespace repose::test {
 namespace {

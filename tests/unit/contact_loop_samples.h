@@ -125,10 +125,12 @@ inline void evaluate_scalar(const ParticleRecord& a, const ParticleRecord& b, co
   const double arm_a = a.radius - 0.5 * contact.overlap;
   const double arm_b = b.radius - 0.5 * contact.overlap;
   const Vec3 velocity = a.velocity - b.velocity;
-  contact.normal_velocity = dot(velocity, contact.normal);
-  contact.tangential_velocity =
-      velocity - contact.normal_velocity * contact.normal - cross(arm_a * a.spin + arm_b * b.spin, contact.normal);
-  contact.rolling_velocity = without_normal_part(a.spin - b.spin, contact.normal);
+  const Vec3 n_v = with_law(
+      pair, [&](auto law) { return decltype(law)::velocity_normal(pair, loop_dt, apart, velocity, contact.normal); });
+  contact.velocity_normal = n_v;
+  contact.normal_velocity = dot(velocity, n_v);
+  contact.tangential_velocity = velocity - contact.normal_velocity * n_v - cross(arm_a * a.spin + arm_b * b.spin, n_v);
+  contact.rolling_velocity = without_normal_part(a.spin - b.spin, n_v);
   const ContactForces forces = contact_law(pair, contact, loop_dt, history);
   alarms.too_deep += contact.overlap > loop_max_overlap * std::min(a.radius, b.radius) ? 1 : 0;
   bool fits = add(forces.force, a.force_scale, on_a.force);

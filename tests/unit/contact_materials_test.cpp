@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/damping.h"
 #include "scene/materials.h"
 
 namespace repose::test {
@@ -58,11 +59,33 @@ TEST(MaterialTable, IsSymmetricButForTheDensities) {
   EXPECT_EQ(ba.density_second, 1000.0);
 }
 
-TEST(MaterialTable, KnowsTheStiffestPartner) {
-  const MaterialTable table(two_materials());
-  EXPECT_EQ(table.stiffest_partner(0), table.pair(0, 1).youngs_modulus_eff);
-  EXPECT_EQ(table.stiffest_partner(1), table.pair(1, 0).youngs_modulus_eff);
-  EXPECT_EQ(table.index_of("stiff"), 1);
+TEST(DampingWithoutAttraction, SolvesTheClosedForm) {
+  for (const double e : {0.05, 0.1, 0.135, 0.136, 0.2, 0.5, 0.9, 0.999}) {
+    const double zeta = -damping_ratio_without_attraction(e);
+    const double loss = zeta < 1.0 ? 2.0 * zeta * std::acos(zeta) / std::sqrt(1.0 - zeta * zeta)
+                                   : 2.0 * zeta * std::acosh(zeta) / std::sqrt(zeta * zeta - 1.0);
+    EXPECT_NEAR(std::exp(-loss), e, 1e-13) << e;  // ill-conditioned near zeta = 1, in acos
+    EXPECT_GT(zeta, -damping_ratio(e)) << e;      // the pull that is cut has slowed the rebound
+  }
+  EXPECT_EQ(damping_ratio_without_attraction(1.0), 0.0);
+  EXPECT_NEAR(damping_ratio_without_attraction(std::exp(-2.0)), -1.0, 1e-13);  // critical
+}
+
+TEST(MaterialTable, KnowsTheGreatestForce) {
+  Deck deck = two_materials();
+  const MaterialTable hertz(deck);
+  const double stiffest = hertz.pair(0, 1).youngs_modulus_eff;  // 4/3 E_eff sqrt(R delta) delta
+  EXPECT_NEAR(hertz.greatest_force(0, 1e-3, 4e-5), 4.0 / 3.0 * stiffest * 2e-4 * 4e-5, 1e-15 * stiffest);
+  EXPECT_EQ(hertz.index_of("stiff"), 1);
+  deck.contact.normal_law = NormalLaw::hooke;
+  deck.contact.attraction = false;
+  for (PairDeck& pair : deck.pairs) {
+    pair.hooke_stiffness = 1000.0;
+    pair.restitution = 0.1;
+  }
+  const double zeta = -damping_ratio_without_attraction(0.1);
+  EXPECT_GT(zeta, 1.1);
+  EXPECT_NEAR(MaterialTable(deck).greatest_force(0, 1e-3, 4e-5), zeta * 0.04, 1e-15);
 }
 
 }  // namespace

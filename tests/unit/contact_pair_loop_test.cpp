@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "contact_loop_samples.h"
+#include "support/contact_options.h"
 #include "support/levels.h"
 #include "support/scenes.h"
 
@@ -32,6 +33,42 @@ TEST_F(PairLoop, IsTheContactLawBitForBitAtEveryLevel) {
     const Outcome outcome = evaluate(level, loop, pair);
     expect_same_bits(outcome, scalar);
     EXPECT_FALSE(outcome.alarms.any());
+  }
+}
+
+TEST(PairLoopWithOptions, IsTheContactLawBitForBitAtEveryLevel) {
+  std::vector<Outcome> all;
+  for (const Deck& deck : decks_of_all_options(bare_deck({}, loop_dt))) {
+    const MaterialTable materials(deck);
+    const Loop loop = random_loop(21, 500, materials);
+    const Outcome scalar = evaluate_scalar(loop, materials.pair(0, 0));
+    ASSERT_FALSE(scalar.alarms.any());
+    for (const VectorLevel level : levels_here()) {
+      SCOPED_TRACE(to_string(level));
+      expect_same_bits(evaluate(level, loop, materials.pair(0, 0)), scalar);
+    }
+    for (const Outcome& other : all) {  // each option does something
+      EXPECT_NE(std::memcmp(scalar.blocks.data(), other.blocks.data(), scalar.blocks.size() * sizeof(ContactBlock)), 0);
+    }
+    all.push_back(scalar);
+  }
+  EXPECT_EQ(all.size(), 32U);
+}
+
+TEST(PairLoopWithOptions, ReportsNan) {
+  for (const Deck& deck : decks_of_all_options(bare_deck({}, loop_dt))) {
+    const MaterialTable materials(deck);
+    Loop loop = random_loop(17, 64, materials);
+    ParticleRecord& a = loop.particles.record[static_cast<std::size_t>(loop.blocks[0].first[13])];
+    ParticleRecord& b = loop.particles.record[static_cast<std::size_t>(loop.blocks[0].second[13])];
+    b.position = a.position + Vec3{0.0, 0.0, 0.99 * (a.radius + b.radius)};
+    ASSERT_FALSE(evaluate(best_vector_level(), loop, materials.pair(0, 0)).alarms.any());
+    for (double* poisoned : {&a.velocity.y, &b.spin.x, &loop.blocks[0].spring[1][13], &loop.blocks[0].rolling[2][13]}) {
+      const double healthy = *poisoned;
+      *poisoned = std::numeric_limits<double>::quiet_NaN();
+      EXPECT_GT(evaluate(best_vector_level(), loop, materials.pair(0, 0)).alarms.out_of_range, 0);
+      *poisoned = healthy;
+    }
   }
 }
 

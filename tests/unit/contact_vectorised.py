@@ -11,8 +11,9 @@ import sys
 
 # Per level the registers that its square roots and divisions must use.
 LEVELS = {"run_plain": "xmm", "run_avx2": "ymm", "run_avx512": "[yz]mm"}
-# The number of functions each loop is compiled to: one for every shape of a face.
-LOOPS = {"evaluate_pairs": 1, "evaluate_walls": 1, "evaluate_faces": 2}
+# The number of functions each loop is compiled to: one for the thesis's law and one for that with options, each for
+# every shape of a face.
+LOOPS = {"evaluate_pairs": 2, "evaluate_walls": 2, "evaluate_faces": 4}
 SKIP = 77
 
 

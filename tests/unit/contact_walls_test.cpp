@@ -10,6 +10,7 @@
 #include "integration/velocity_verlet.h"
 #include "scene/sphere.h"
 #include "support/contact_law.h"
+#include "support/contact_options.h"
 #include "support/draw.h"
 #include "support/levels.h"
 #include "support/scenes.h"
@@ -23,10 +24,10 @@ constexpr double max_overlap = 0.3;
 
 /// Grains and walls. With lanes a grain near one face goes into the lanes of that face; without, it is searched.
 struct Setting {
-  explicit Setting(bool in_lanes) : lanes(in_lanes) {}
+  explicit Setting(bool in_lanes, const Deck& deck = bare_deck({}, dt)) : lanes(in_lanes), materials(deck) {}
 
   bool lanes;
-  MaterialTable materials{bare_deck({}, dt)};
+  MaterialTable materials;
   std::vector<Wall> walls;
   Particles particles;
   WallContacts contacts;
@@ -208,8 +209,9 @@ WallDeck tilted_plate() {
 }
 
 /// A crowd that touches the faces and edges of two walls, moved about for some steps with its lists made anew at times.
-Setting after_some_steps(bool lanes, VectorLevel level, const std::vector<MotionDeck>& motions = {}) {
-  Setting s(lanes);
+Setting after_some_steps(bool lanes, VectorLevel level, const Deck& deck = bare_deck({}, dt),
+                         const std::vector<MotionDeck>& motions = {}) {
+  Setting s(lanes, deck);
   for (WallDeck wall : {funnel(), tilted_plate()}) {
     wall.motions = motions;
     s.walls.push_back(make_wall(wall, 1));
@@ -243,11 +245,11 @@ MotionDeck turning() {
   return motion;
 }
 
-void expect_bits_of_the_search(const std::vector<MotionDeck>& motions) {
-  const Setting searched = after_some_steps(false, best_vector_level(), motions);
+void expect_the_bits_of_the_search(const Deck& deck, const std::vector<MotionDeck>& motions = {}) {
+  const Setting searched = after_some_steps(false, best_vector_level(), deck, motions);
   ASSERT_GT(searched.touching().size(), 100U);
   for (const VectorLevel level : levels_here()) {
-    const Setting s = after_some_steps(true, level, motions);
+    const Setting s = after_some_steps(true, level, deck, motions);
     EXPECT_GT(s.contacts.in_lanes(), 150U);
     EXPECT_LT(s.contacts.in_lanes(), 300U);
     EXPECT_EQ(std::memcmp(s.particles.sum.data(), searched.particles.sum.data(), 300 * sizeof(ForceSum)), 0);
@@ -262,8 +264,20 @@ void expect_bits_of_the_search(const std::vector<MotionDeck>& motions) {
   }
 }
 
-TEST(WallContactsInLanes, GiveTheBitsOfTheSearch) { expect_bits_of_the_search({}); }
-TEST(WallContactsInLanes, GiveTheBitsOfTheSearchAtWallsThatTravel) { expect_bits_of_the_search({turning()}); }
+TEST(WallContactsInLanes, GiveTheBitsOfTheSearch) { expect_the_bits_of_the_search(bare_deck({}, dt)); }
+
+TEST(WallContactsInLanes, GiveTheBitsOfTheSearchWithAllOptions) {
+  const Deck deck = with_all_options(bare_deck({}, dt));
+  expect_the_bits_of_the_search(deck);
+  const Setting a = after_some_steps(true, best_vector_level());
+  const Setting b = after_some_steps(true, best_vector_level(), deck);
+  EXPECT_NE(std::memcmp(a.particles.sum.data(), b.particles.sum.data(), 300 * sizeof(ForceSum)), 0);
+}
+
+TEST(WallContactsInLanes, GiveTheBitsOfTheSearchAtWallsThatTravel) {
+  expect_the_bits_of_the_search(bare_deck({}, dt), {turning()});
+  expect_the_bits_of_the_search(with_all_options(bare_deck({}, dt)), {turning()});
+}
 
 /// A grain of velocity -u at a wall at rest sees what a grain at rest sees at a wall of velocity u.
 TEST(MovingWall, OnlyTheRelativeMotionCounts) {

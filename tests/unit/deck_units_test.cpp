@@ -28,7 +28,7 @@ TEST(Units, JoinThePowerBeforeRounding) {
       {"5 MPa", Unit::pascal, 5e6},           {"0.21 GPa", Unit::pascal, 0.21e9},
       {"3.592 g/cm3", Unit::density, 3592.0}, {"3.592 g/cm^3", Unit::density, 3592.0},
       {"300 mm/s", Unit::speed, 0.3},         {"9810 mm/s2", Unit::acceleration, 9.81},
-      {"100 fJ", Unit::joule, 1e-13},
+      {"100 fJ", Unit::joule, 1e-13},         {"2.5 kN/m", Unit::stiffness, 2500.0},
   };
   for (const Exact& c : cases) {
     const Quantity quantity = parse_quantity(c.text, c.unit);

@@ -175,5 +175,34 @@ TEST(TimeStepExcess, IsTheStepOverTheTighterLimit) {
   EXPECT_LT(at_rest, 1.0);
 }
 
+TEST(HookeTime, ByHand) {
+  EXPECT_NEAR(hooke_time(1e-6, 100.0, 2.0 / 7.0), 3.14159265358979e-4, 1e-17);  // pi sqrt(m / k_n)
+  EXPECT_NEAR(hooke_time(1e-6, 100.0, 8.0 / 7.0), 1.57079632679490e-4, 1e-17);  // pi sqrt(2/7 m / k_t)
+}
+
+TEST(ChooseTimeStep, HookeHasItsOwnCriterion) {
+  Deck deck = two_materials();
+  deck.contact.normal_law = NormalLaw::hooke;
+  deck.pairs[0].hooke_stiffness = 1e3;
+  deck.pairs[1].hooke_stiffness = 4e3;  // at the wall: four times as stiff, twice the mass
+  const MaterialTable materials(deck);
+  const SmallestRadii radii{{1e-3, none}};
+  TimeStep step = choose_time_step(deck, materials, radii, 2.0);
+  const double shortest = hooke_time(sphere_mass(1e-3, 2500.0), 4e3, 2.0 / 7.0);
+  EXPECT_EQ(step.criterion, "hooke");
+  EXPECT_NEAR(step.step, 0.02 * shortest, 1e-18);
+  EXPECT_EQ(step.rayleigh_limit, none);
+  EXPECT_EQ(step.hertz_limit, none);
+  EXPECT_NEAR(time_step_excess(step, 100.0), 1.0, 1e-12);  // at any speed
+  deck.time.step = 0.021 * shortest;
+  try {
+    choose_time_step(deck, materials, radii, 2.0);
+    FAIL() << "no error";
+  } catch (const DeckError& error) {
+    EXPECT_NE(std::string(error.what()).find("is too long: 2 % of the Hooke time is"), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace repose::test

@@ -1,0 +1,61 @@
+// With none of the contact law's defaults the state still has the same bits on any number of ranks and vector level.
+#include "support/contact_options.h"
+
+#include <gtest/gtest.h>
+
+#include "deck/read_deck.h"
+#include "measurement/state_hash.h"
+#include "shared_file.h"
+#include "simulation.h"
+
+namespace repose::test {
+namespace {
+
+Deck small_bed() {
+  Communicator world(MPI_COMM_WORLD);
+  const std::string path = std::string(REPOSE_SOURCE_DIR) + "/input/discharge_quick.toml";
+  const Deck deck = read_deck(
+      read_shared_file(world, path), path,
+      {"particles.0.mass=0.06 g", "particles.0.height=10 mm", "domain.min=[-0.004, -0.004, -0.003]", "time.step=4e-6",
+       "wall.plate.present=false", "wall.vessel.points=[[0.002,0.04],[0.002,0],[0.00125,0]]", "wall.lid.radius=0.00125",
+       "particles.0.radius=0.002", "particles.0.spacing=0.0006"});
+  return with_all_options(deck);
+}
+
+std::vector<std::string> hashes(const Communicator& comm, const Deck& deck, VectorLevel level = best_vector_level()) {
+  Simulation simulation(comm, deck, {}, level);
+  std::vector<std::string> all;
+  for (int part = 0; part < 4; ++part) {
+    if (part == 2) simulation.set_wall_present("lid", false);
+    simulation.advance(1500);
+    simulation.check_guards();
+    all.push_back(
+        state_hash(simulation.comm(), simulation.particles(), simulation.pairs(), simulation.wall_contacts()));
+  }
+  return all;
+}
+
+TEST(ContactOptions, SameBitsOnAllRanksAsOnOne) {
+  const Communicator world(MPI_COMM_WORLD);
+  const Communicator self(MPI_COMM_SELF);
+  const Deck deck = small_bed();
+  const std::vector<std::string> together = hashes(world, deck);
+  if (world.is_root()) {
+    EXPECT_EQ(together, hashes(self, deck));
+  }
+  world.barrier();
+}
+
+TEST(ContactOptions, SameBitsWhateverTheListsAndTheLevel) {
+  const Communicator world(MPI_COMM_WORLD);
+  Deck deck = small_bed();
+  const std::vector<std::string> usual = hashes(world, deck);
+  deck.neighbours.skin = 1.0;
+  deck.neighbours.inner_skin = 0.2;
+  EXPECT_EQ(usual, hashes(world, deck, VectorLevel::sse2));
+  deck.time.integrator = Integrator::velocity_verlet;
+  EXPECT_NE(usual, hashes(world, deck));
+}
+
+}  // namespace
+}  // namespace repose::test

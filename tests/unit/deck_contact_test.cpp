@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "deck/read_deck.h"
+#include "deck_example.h"
+
+namespace repose {
+namespace {
+
+/// What is wrong with the example deck after `overrides`.
+std::string problem(const std::vector<std::string>& overrides) {
+  try {
+    read_deck(example_deck, "deck.toml", overrides);
+  } catch (const DeckError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool ends_with(const std::string& text, const std::string& end) { return text.ends_with(end); }
+
+TEST(ContactDeck, HookeNeedsAStiffnessOfEveryPair) {
+  EXPECT_EQ(problem({"contact.normal_law=hooke", "pair.0.hooke_stiffness=1 kN/m"}),
+            "deck.toml:23:1: [[pair]] lacks \"hooke_stiffness\", which contact.normal_law = \"hooke\" needs");
+  EXPECT_EQ(problem({"contact.normal_law=hooke", "pair.0.hooke_stiffness=1 kN/m", "pair.1.hooke_stiffness=500"}), "");
+}
+
+TEST(ContactDeck, HertzRefusesAStiffness) {
+  EXPECT_PRED2(ends_with, problem({"pair.1.hooke_stiffness=500"}),
+               "\"hooke_stiffness\" belongs to contact.normal_law = \"hooke\"; set that, or remove this");
+}
+
+TEST(ContactDeck, WithoutAttractionRestitutionHasALeastValue) {
+  EXPECT_PRED2(ends_with, problem({"contact.attraction=false", "pair.0.restitution=0.04"}),
+               "\"restitution\" = 0.04 is less than 0.05, the least with contact.attraction = false");
+  EXPECT_EQ(problem({"contact.attraction=false", "pair.0.restitution=0.05"}), "");
+  EXPECT_EQ(problem({"pair.0.restitution=0.04"}), "");
+}
+
+TEST(ContactDeck, DefaultsAreTheThesis) {
+  const Deck deck = read_deck(example_deck, "deck.toml", {});
+  EXPECT_EQ(deck.contact.normal_law, NormalLaw::hertz);
+  EXPECT_TRUE(deck.contact.attraction);
+  EXPECT_EQ(deck.contact.tangential_spring, TangentialSpring::projected);
+  EXPECT_EQ(deck.contact.rolling_history, RollingHistory::fixed);
+  EXPECT_EQ(deck.time.integrator, Integrator::velocity_verlet);
+}
+
+}  // namespace
+}  // namespace repose

@@ -26,17 +26,17 @@ std::optional<Vec3> free_place(const ParticlesDeck& fill, double radius, std::in
   return {};
 }
 
-struct Placement {
+struct FreePlaces {
   std::vector<Vec3> position;
   std::size_t placed = 0;  ///< the largest of them, until one found no place
 };
 
-Placement place(const ParticlesDeck& fill, std::span<const double> radii, std::int64_t first_id, std::uint64_t seed,
+FreePlaces place(const ParticlesDeck& fill, std::span<const double> radii, std::int64_t first_id, std::uint64_t seed,
                 const std::vector<Wall>& walls) {
   std::vector<std::size_t> order(radii.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
-  Placement result{std::vector<Vec3>(radii.size()), 0};
+  FreePlaces result{std::vector<Vec3>(radii.size()), 0};
   SphereGrid grid;
   for (const std::size_t i : order) {
     const auto found = free_place(fill, radii[i], first_id + static_cast<std::int64_t>(i), seed, walls, grid);
@@ -64,8 +64,8 @@ std::string remedy(const ParticlesDeck& fill, const std::function<bool(const Par
 
 std::vector<Vec3> random_fill(const ParticlesDeck& fill, std::span<const double> radii, std::int64_t first_id,
                               std::uint64_t seed, const std::vector<Wall>& walls, const std::string& block) {
-  const Placement placement = place(fill, radii, first_id, seed, walls);
-  if (placement.placed == radii.size()) return placement.position;
+  const FreePlaces places = place(fill, radii, first_id, seed, walls);
+  if (places.placed == radii.size()) return places.position;
   const double volume = std::accumulate(radii.begin(), radii.end(), 0.0,
                                         [](double sum, double r) { return sum + 4.0 / 3.0 * pi * (r * r * r); });
   const auto fits = [&](const ParticlesDeck& trial) {
@@ -73,7 +73,7 @@ std::vector<Vec3> random_fill(const ParticlesDeck& fill, std::span<const double>
   };
   throw DeckError(fmt::format(
       "{}: only the {} largest of {} particles fit into the region, of whose volume they would take {:.0f} %; {}",
-      block, placement.placed, radii.size(), 100.0 * volume / region_size(fill), remedy(fill, fits)));
+      block, places.placed, radii.size(), 100.0 * volume / region_size(fill), remedy(fill, fits)));
 }
 
 }  // namespace repose

@@ -23,7 +23,8 @@ constexpr double particle_steps_per_second_and_rank = 8e6;
 
 std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks) {
   const MaterialTable materials(deck);
-  const NewParticles particles = insert_particles(deck, make_walls(deck, materials), read_file);
+  const std::vector<Wall> walls = make_walls(deck, materials, read_file);
+  const NewParticles particles = insert_particles(deck, walls, read_file);
   const TimeStep dt =
       choose_time_step(deck, materials, smallest_radii(particles, materials.size()), expected_speed(deck, particles));
   const double count = static_cast<double>(particles.size());
@@ -33,6 +34,11 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   }
 
   std::string report = fmt::format("particles   {} ({:.6g} kg)\n", particles.size(), mass);
+  for (const Wall& wall : walls) {
+    if (const auto* mesh = std::get_if<Mesh>(&wall.shape)) {
+      report += fmt::format("mesh        {}: {}\n", wall.name, describe(*mesh));
+    }
+  }
   report += fmt::format("time step   {:.6g} s, {}\n", dt.step,
                         dt.criterion == "given" ? "given in the deck" : "set by the " + dt.criterion + " criterion");
   report += fmt::format("limits      {:.4g} s Rayleigh ({:.0f} %), {:.4g} s Hertz ({:.0f} %, at {:.3g} m/s)\n",

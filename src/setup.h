@@ -11,7 +11,7 @@
 /// Pieces of the set-up that a run and `repose check` share.
 namespace repose {
 
-std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials);
+std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials, const ReadFile& read_file);
 
 SmallestRadii smallest_radii(const NewParticles& particles, std::size_t materials);
 

@@ -1,6 +1,7 @@
 #include "base/math.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace repose {
 
@@ -35,6 +36,33 @@ double fifth_root(double x) {
     y = next;
   }
   return y;
+}
+
+SineCosine sin_cos_reproducible(double angle) {
+  // pi/2 in three parts: the first two have trailing zeros, so that their multiples are exact
+  constexpr double half_pi_high = 1.57079632673412561417e+00;
+  constexpr double half_pi_middle = 6.07710050630396597660e-11;
+  constexpr double half_pi_low = 2.02226624879595063154e-21;
+  const double quarters = std::floor(angle * (2.0 / pi) + 0.5);
+  const double x = ((angle - quarters * half_pi_high) - quarters * half_pi_middle) - quarters * half_pi_low;
+  const double x2 = x * x;
+  double sine_tail = 0.0;    // sin x = x (1 + sine_tail), |x| < 0.79
+  double cosine_tail = 0.0;  // cos x = 1 - x^2/2 (1 + cosine_tail)
+  for (int k = 19; k >= 3; k -= 2) sine_tail = -x2 / (k * (k - 1)) * (1.0 + sine_tail);
+  for (int k = 20; k >= 4; k -= 2) cosine_tail = -x2 / (k * (k - 1)) * (1.0 + cosine_tail);
+  const double sine = x + x * sine_tail;
+  const double near_one = 1.0 - 0.5 * x2;
+  const double cosine = near_one + (((1.0 - near_one) - 0.5 * x2) - 0.5 * x2 * cosine_tail);
+  switch (static_cast<std::int64_t>(quarters) & 3) {
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, -sine};
+    case 2:
+      return {-sine, -cosine};
+    default:
+      return {-cosine, sine};
+  }
 }
 
 }  // namespace repose

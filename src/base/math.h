@@ -11,4 +11,13 @@ double log_reproducible(double x);
 /// x^(1/5) for x > 0, within 2 ulp, by arithmetic only (Newton's iteration from a power of two).
 double fifth_root(double x);
 
+struct SineCosine {
+  double sine;
+  double cosine;
+};
+
+/// Sine and cosine of an angle in radians, |angle| < 1e6, within 2 ulp but near the zeros beyond the first, where the
+/// error is below 1e-16; by arithmetic only.
+SineCosine sin_cos_reproducible(double angle);
+
 }  // namespace repose

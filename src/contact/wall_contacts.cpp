@@ -19,11 +19,12 @@ bool is_touched(const TouchBuffer& touches, int wall, int feature) {
 
 /// Whether a particle that moves by less than `skin` can touch one face and nothing else, and remembers of no other.
 bool is_at_one_face(std::span<const Wall> walls, const TouchBuffer& touches, std::span<const WallMemory> memory,
-                    const Vec3& position, double skin) {
+                    const ParticleRecord& particle, double skin) {
   if (touches.size() != 1 || !touches[0].on_face || memory.size() > 1) return false;
   const WallTouch& t = touches[0];
   if (!memory.empty() && (memory[0].wall != t.wall || memory[0].feature != t.feature)) return false;
-  return margin(walls[static_cast<std::size_t>(t.wall)], t.feature, position) > 1.001 * skin;
+  return keeps_to_face(walls[static_cast<std::size_t>(t.wall)], t.feature, particle.position, particle.radius + skin,
+                       skin);
 }
 
 /// As if no particle had ever touched it.
@@ -52,7 +53,7 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const auto first = static_cast<std::int32_t>(candidate_walls_.size());
     for (std::size_t w = 0; w < walls.size(); ++w) {
-      if (distance(walls[w], particles.record[i].position) < reach[i]) {
+      if (is_within(walls[w], particles.record[i].position, reach[i])) {
         candidate_walls_.push_back(static_cast<std::int32_t>(w));
       }
     }
@@ -64,6 +65,7 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
     }
   }
   faces_.clear();
+  group_of_.clear();
   near_ = candidates_;
   near_walls_ = candidate_walls_;
 }
@@ -88,14 +90,14 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
     for (std::int32_t k = 0; k < candidate.walls; ++k) {
       const std::int32_t w = candidate_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
       const Wall& wall = walls[static_cast<std::size_t>(w)];
-      const bool near = touches.overflowed() ? distance(wall, p.position) < p.radius + skin
+      const bool near = touches.overflowed() ? is_within(wall, p.position, p.radius + skin)
                                              : find_touches(wall, w, p.position, p.radius + skin, touches) > 0;
       if (near) near_walls_.push_back(w);
     }
     const auto count = static_cast<std::int32_t>(near_walls_.size()) - first;
     if (count == 0) continue;
     const std::span<const WallMemory> old = memory.row(i);
-    if (is_at_one_face(walls, touches, old, p.position, skin)) {
+    if (is_at_one_face(walls, touches, old, p, skin)) {
       near_walls_.resize(static_cast<std::size_t>(first));
       const Wall& wall = walls[static_cast<std::size_t>(touches[0].wall)];
       add_lane(group_for(particles, i, wall, touches[0]), candidate.particle,
@@ -112,9 +114,8 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
 FaceGroup& WallContacts::group_for(const Particles& particles, std::size_t particle, const Wall& wall,
                                    const WallTouch& touch) {
   const std::int32_t material = particles.material[particle];
-  for (FaceGroup& g : faces_) {
-    if (g.material == material && g.wall == touch.wall && g.feature == touch.feature) return g;
-  }
+  const auto [group, is_new] = group_of_.try_emplace({material, touch.wall, touch.feature}, faces_.size());
+  if (!is_new) return faces_[group->second];
   return faces_.emplace_back(FaceGroup{.material = material,
                                        .wall = touch.wall,
                                        .feature = touch.feature,

@@ -54,7 +54,7 @@ inline constexpr Presence optional{};
 constexpr Presence optional_else(std::string_view fallback) { return {.fallback = fallback}; }
 
 constexpr auto enumerators(WallType) {
-  return std::array<std::string_view, 4>{"profile", "plane", "disc", "rectangle"};
+  return std::array<std::string_view, 5>{"profile", "plane", "disc", "rectangle", "mesh"};
 }
 constexpr auto enumerators(ParticlesType) { return std::array<std::string_view, 2>{"fill", "csv"}; }
 constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 2>{"cylinder", "box"}; }

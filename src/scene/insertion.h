@@ -1,10 +1,9 @@
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "deck/deck.h"
+#include "scene/read_file.h"
 #include "scene/wall.h"
 
 namespace repose {
@@ -19,9 +18,6 @@ struct NewParticles {
 
   std::size_t size() const { return position.size(); }
 };
-
-/// The text of a file named in the deck. On several ranks it must give all of them the same text.
-using ReadFile = std::function<std::string(const std::string&)>;
 
 /// All particles of the deck, the blocks [[particles]] one after the other. A function of its arguments alone: the same
 /// on every rank. DeckError when a block does not fit into its region, a particle is outside the domain, reaches into

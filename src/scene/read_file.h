@@ -1,0 +1,11 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace repose {
+
+/// The text of a file named in the deck. On several ranks it must give all of them the same text.
+using ReadFile = std::function<std::string(const std::string&)>;
+
+}  // namespace repose

@@ -44,15 +44,18 @@ SineCosine sin_cos_reproducible(double angle) {
   constexpr double half_pi_middle = 6.07710050630396597660e-11;
   constexpr double half_pi_low = 2.02226624879595063154e-21;
   const double quarters = std::floor(angle * (2.0 / pi) + 0.5);
-  const double x = ((angle - quarters * half_pi_high) - quarters * half_pi_middle) - quarters * half_pi_low;
+  const double above = angle - quarters * half_pi_high;
+  const double middle = quarters * half_pi_middle;
+  const double x = above - middle;
+  const double rest = ((above - x) - middle) - quarters * half_pi_low;  // the angle is x + rest
   const double x2 = x * x;
   double sine_tail = 0.0;    // sin x = x (1 + sine_tail), |x| < 0.79
   double cosine_tail = 0.0;  // cos x = 1 - x^2/2 (1 + cosine_tail)
   for (int k = 19; k >= 3; k -= 2) sine_tail = -x2 / (k * (k - 1)) * (1.0 + sine_tail);
   for (int k = 20; k >= 4; k -= 2) cosine_tail = -x2 / (k * (k - 1)) * (1.0 + cosine_tail);
-  const double sine = x + x * sine_tail;
+  const double sine = x + (x * sine_tail + rest);
   const double near_one = 1.0 - 0.5 * x2;
-  const double cosine = near_one + (((1.0 - near_one) - 0.5 * x2) - 0.5 * x2 * cosine_tail);
+  const double cosine = near_one + (((1.0 - near_one) - 0.5 * x2) - (0.5 * x2 * cosine_tail + x * rest));
   switch (static_cast<std::int64_t>(quarters) & 3) {
     case 0:
       return {sine, cosine};

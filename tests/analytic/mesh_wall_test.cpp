@@ -65,7 +65,6 @@ TEST(MeshWall, AFinelyMeshedPlaneIsThePlane) {
       1e-9 * radius);
 }
 
-// In lists of any skins: the same whether the balls are in the lanes of a face or searched.
 TEST(MeshWall, ATurnedMeshedPlaneIsTheTurnedPlane) {
   WallDeck turned_plane = floor_at(0.0);
   turned_plane.normal = {0.0, -0.5, std::sqrt(0.75)};
@@ -93,40 +92,41 @@ WallCase turned_profile(double r0, double z0, double r1, double z1) {
   return wall;
 }
 
+/// What a ball does on a mesh of so many facets, against the exact wall, in radii.
+double difference_on(const WallCase& exact, WallCase mesh, double feature_angle, const Vec3& gravity,
+                     const Grain& ball) {
+  mesh.wall.feature_angle = feature_angle;
+  return greatest_difference(scene_on(mesh, gravity, {ball}), scene_on(exact, gravity, {ball}), 60) / radius;
+}
+
+/// The difference falls with the number of facets, and would not if each touched facet counted.
+template <class MakeMesh>
+void expect_convergence(const WallCase& exact, const MakeMesh& mesh, const Vec3& gravity, const Grain& ball) {
+  const double coarse = difference_on(exact, mesh(32), 20.0, gravity, ball);
+  const double medium = difference_on(exact, mesh(128), 20.0, gravity, ball);
+  const double fine = difference_on(exact, mesh(512), 20.0, gravity, ball);
+  EXPECT_LT(coarse, 0.5);
+  EXPECT_LT(medium, 0.7 * coarse);
+  EXPECT_LT(fine, 0.1 * medium);
+  EXPECT_LT(fine, 0.005);
+  EXPECT_GT(difference_on(exact, mesh(512), 0.1, gravity, ball), 5.0 * fine);
+}
+
 // A ball rolls to and fro in a horizontal pipe 2.5 times its size, where it touches several facets at once.
 TEST(MeshWall, AMeshedCylinderConvergesToTheCylinder) {
   constexpr double pipe = 2.5 * radius;
-  const Vec3 gravity = {-9.81, 0.0, 0.0};
-  const std::vector<Grain> ball = {{{0.0, pipe - 0.9995 * radius, 0.0}, {0.0, 0.0, 0.05}, {}, radius}};
-  const WallCase exact = turned_profile(pipe, -0.05, pipe, 0.05);
-  double before = 1.0;
-  for (const int facets : {32, 64, 128, 256}) {
-    const WallCase mesh = {mesh_deck(), frustum(pipe, -0.05, pipe, 0.05, facets, 3)};
-    const double difference = greatest_difference(scene_on(mesh, gravity, ball), scene_on(exact, gravity, ball), 60);
-    RecordProperty(std::to_string(facets), std::to_string(difference / radius));
-    std::printf("cylinder of %d facets: %.3g radii\n", facets, difference / radius);
-    EXPECT_LT(difference, 0.7 * before);
-    before = difference;
-  }
-  EXPECT_LT(before, 0.05 * radius);
+  const Grain ball = {{0.0, pipe - 0.9995 * radius, 0.0}, {0.0, 0.0, 0.05}, {}, radius};
+  const auto mesh = [&](int facets) { return WallCase{mesh_deck(), frustum(pipe, -0.05, pipe, 0.05, facets, 3)}; };
+  expect_convergence(turned_profile(pipe, -0.05, pipe, 0.05), mesh, {-9.81, 0.0, 0.0}, ball);
 }
 
 // A ball runs around in a cone and comes down.
 TEST(MeshWall, AMeshedConeConvergesToTheCone) {
-  const Vec3 gravity = {0.0, 0.0, -9.81};
   const double s = std::sqrt(0.5);
   const Vec3 start = {0.015 - 0.9995 * s * radius, 0.0, 0.015 + 0.9995 * s * radius};
-  const std::vector<Grain> ball = {{start, {0.0, 0.3, 0.0}, {}, radius}};
-  const WallCase exact = turned_profile(0.002, 0.002, 0.03, 0.03);
-  double before = 1.0;
-  for (const int facets : {32, 64, 128, 256}) {
-    const WallCase mesh = {mesh_deck(), frustum(0.002, 0.002, 0.03, 0.03, facets, 4)};
-    const double difference = greatest_difference(scene_on(mesh, gravity, ball), scene_on(exact, gravity, ball), 60);
-    std::printf("cone of %d facets: %.3g radii\n", facets, difference / radius);
-    EXPECT_LT(difference, 0.7 * before);
-    before = difference;
-  }
-  EXPECT_LT(before, 0.2 * radius);
+  const Grain ball = {start, {0.0, 0.3, 0.0}, {}, radius};
+  const auto mesh = [&](int facets) { return WallCase{mesh_deck(), frustum(0.002, 0.002, 0.03, 0.03, facets, 4)}; };
+  expect_convergence(turned_profile(0.002, 0.002, 0.03, 0.03), mesh, {0.0, 0.0, -9.81}, ball);
 }
 
 }  // namespace

@@ -4,3 +4,5 @@ repose_test(scene_wall_tests LABEL unit
 repose_test(scene_insertion_tests LABEL unit
   SOURCES scene_csv_test.cpp scene_fill_test.cpp scene_insertion_test.cpp scene_overlap_test.cpp
   LINK repose_scene)
+repose_test(scene_mesh_tests LABEL unit SOURCES scene_mesh_test.cpp scene_stl_test.cpp LINK repose_scene)
+target_include_directories(scene_mesh_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests)

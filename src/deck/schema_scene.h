@@ -35,7 +35,7 @@ void describe_mesh(V& v, WallDeck& w) {
     "angle around it by the right-hand rule, in degrees");
   v("translate", w.translate, Unit::metre, any_value, optional.when(is_mesh, "type = mesh"),
     "displacement, after scale and rotation");
-  v("feature_angle", w.feature_angle, Unit::none, from_to(0, 90), optional.when(is_mesh, "type = mesh"),
+  v("feature_angle", w.feature_angle, Unit::none, from_to(0.1, 90), optional.when(is_mesh, "type = mesh"),
     "facets that turn by less, in degrees, are one smooth surface, touched once");
 }
 

@@ -1,10 +1,12 @@
 #include "scene/wall_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory_resource>
 #include <stdexcept>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -54,15 +56,17 @@ double checked_extent(const TriangleMesh& mesh) {
   return extent;
 }
 
-/// A local minimum of the distance.
+/// A local minimum of the distance, as a triangle has it.
 struct Candidate {
   double distance;
   Vec3 normal;
   std::int32_t feature;
+  std::uint32_t triangle;
 };
 
+/// A total order, so that the search may find them in any.
 bool is_nearer(const Candidate& a, const Candidate& b) {
-  return a.distance != b.distance ? a.distance < b.distance : a.feature < b.feature;
+  return std::tie(a.distance, a.feature, a.triangle) < std::tie(b.distance, b.feature, b.triangle);
 }
 
 /// Whether no triangle around an edge or a vertex comes nearer to the centre than that edge or vertex does. One that is
@@ -75,12 +79,14 @@ bool is_nearest_around(const Mesh& mesh, std::uint32_t link, const Vec3& centre,
                       [&](std::uint32_t t) { return nearest_on(mesh.corners[t], centre).squared_distance < bound; });
 }
 
-Candidate candidate_at(const Mesh& mesh, std::int32_t feature, std::int32_t patch, const Vec3& centre,
+Candidate candidate_at(const Mesh& mesh, std::int32_t feature, std::uint32_t triangle, const Vec3& centre,
                        const NearestOnTriangle& nearest) {
+  const bool is_patch = mesh.features.is_patch(feature);
   const double d = std::sqrt(nearest.squared_distance);
-  if (!mesh.features.is_patch(feature) && d > 0.0) return {d, (1.0 / d) * (centre - nearest.point), feature};
-  const auto [distance, normal] = touch(mesh.features.patches[static_cast<std::size_t>(patch)], centre);
-  return {mesh.features.is_patch(feature) ? distance : 0.0, normal, feature};
+  if (!is_patch && d > 0.0) return {d, (1.0 / d) * (centre - nearest.point), feature, triangle};
+  const auto patch = static_cast<std::size_t>(mesh.features.of_triangle[triangle]);
+  const auto [distance, normal] = touch(mesh.features.patches[patch], centre);
+  return {is_patch ? distance : 0.0, normal, feature, triangle};
 }
 
 /// How far the plane of a patch may be from its triangles, with a margin.
@@ -93,14 +99,13 @@ void find_candidates(const Mesh& mesh, const Vec3& centre, double reach, Candida
   mesh.tree.visit_near(centre, search, [&](std::uint32_t t) {
     const NearestOnTriangle nearest = nearest_on(mesh.corners[t], centre);
     if (nearest.squared_distance > search * search) return search;
-    const std::int32_t patch = mesh.features.of_triangle[t];
-    std::int32_t feature = patch;
+    std::int32_t feature = mesh.features.of_triangle[t];
     if (nearest.part > 0) {
       const std::uint32_t link = mesh.surface.triangles[t].link[nearest.part - 1];
       if (!is_nearest_around(mesh, link, centre, nearest.squared_distance)) return search;
       feature = mesh.features.of_link[link];
     }
-    const Candidate candidate = candidate_at(mesh, feature, patch, centre, nearest);
+    const Candidate candidate = candidate_at(mesh, feature, t, centre, nearest);
     if (candidate.distance < reach) found.push_back(candidate);
     return search;
   });

@@ -159,7 +159,7 @@ TEST(KeyReference, NamesEveryKeyOnItsOwnLine) {
     for (const std::string& key : keys)
       EXPECT_NE(text.find("\n  " + key + " "), std::string::npos) << section << "." << key;
   }
-  EXPECT_NE(text.find("  poisson_ratio      -      number           0 <= x < 0.5                  required"),
+  EXPECT_NE(text.find("  poisson_ratio      -      number           0 <= x < 0.5                       required"),
             std::string::npos);
   EXPECT_NE(text.find("profile|plane|disc|rectangle|mesh"), std::string::npos);
   EXPECT_NE(text.find("1.1 diameters"), std::string::npos);

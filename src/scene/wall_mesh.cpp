@@ -92,6 +92,9 @@ Candidate candidate_at(const Mesh& mesh, std::int32_t feature, std::uint32_t tri
 /// How far the plane of a patch may be from its triangles, with a margin.
 double flatness(const Mesh& mesh) { return 4.0 * mesh.surface.tolerance; }
 
+/// The reach of a search whose question is answered: it visits no more boxes but those around the centre itself.
+constexpr double settled = 0.0;
+
 using Candidates = std::pmr::vector<Candidate>;
 
 void find_candidates(const Mesh& mesh, const Vec3& centre, double reach, Candidates& found) {
@@ -162,7 +165,7 @@ bool is_within(const Mesh& mesh, const Vec3& centre, double reach) {
   bool found = false;
   mesh.tree.visit_near(centre, search, [&](std::uint32_t t) {
     found = found || nearest_on(mesh.corners[t], centre).squared_distance < search * search;
-    return found ? -1.0 : search;
+    return found ? settled : search;
   });
   return found;
 }
@@ -178,7 +181,7 @@ bool keeps_to_face(const Mesh& mesh, int feature, const Vec3& centre, double rea
     if (mesh.features.of_triangle[t] != feature) {
       const double bound = reach + flatness(mesh);
       keeps = keeps && nearest_on(mesh.corners[t], centre).squared_distance > bound * bound;
-      return keeps ? search : -1.0;
+      return keeps ? search : settled;
     }
     for (std::size_t k = 0; k < 3 && keeps; ++k) {
       if (mesh.features.is_patch(mesh.features.of_link[mesh.surface.triangles[t].link[k]])) continue;
@@ -187,7 +190,7 @@ bool keeps_to_face(const Mesh& mesh, int feature, const Vec3& centre, double rea
       const Vec3 rim = a + nearest_along(a, b, projected) * (b - a);
       keeps = norm(rim - projected) > 1.01 * skin + flatness(mesh);
     }
-    return keeps ? search : -1.0;
+    return keeps ? search : settled;
   });
   return keeps;
 }

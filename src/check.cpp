@@ -31,7 +31,8 @@ std::string limits_text(const Deck& deck, const TimeStep& dt) {
 
 std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks) {
   const MaterialTable materials(deck);
-  const Insertion insertion = insert_particles_of(deck, make_walls(deck, materials), read_file);
+  const std::vector<Wall> walls = make_walls(deck, materials, read_file);
+  const Insertion insertion = insert_particles_of(deck, walls, read_file);
   const TimeStep dt = choose_time_step(deck, materials, smallest_radii(insertion, materials.size()),
                                        expected_speed(deck, insertion.now));
   const auto count = static_cast<double>(insertion.planned);
@@ -43,6 +44,11 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
                           pour.deck.start_time, pour.due_time.back(), pour.interval);
   }
   for (const SizeReport& sizes : insertion.sizes) report += size_report_text(sizes);
+  for (const Wall& wall : walls) {
+    if (const auto* mesh = std::get_if<Mesh>(&wall.shape)) {
+      report += fmt::format("mesh        {}: {}\n", wall.name, describe(*mesh));
+    }
+  }
   report += fmt::format("time step   {:.6g} s, {}\n", dt.step,
                         dt.criterion == "given" ? "given in the deck" : "set by the " + dt.criterion + " criterion");
   report += limits_text(deck, dt);

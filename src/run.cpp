@@ -10,10 +10,24 @@
 
 namespace repose {
 
+namespace {
+
+void warn_of_mesh_defects(const Simulation& simulation) {
+  if (!simulation.comm().is_root()) return;
+  for (const Wall& wall : simulation.walls()) {
+    const auto* mesh = std::get_if<Mesh>(&wall.shape);
+    if (mesh == nullptr || !mesh->surface.defects.any()) continue;
+    fmt::print(stderr, "repose: warning: wall \"{}\": {}\n", wall.name, describe(*mesh));
+  }
+}
+
+}  // namespace
+
 Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level,
                  const OutputOptions& options) {
   agree_after_root(comm, [&] { create_output_directory(options.directory); });
   Simulation simulation(comm, deck, read_file, level);
+  warn_of_mesh_defects(simulation);
   Recorder recorder(simulation, options);
   for (const PhaseDeck& phase_deck : deck.phases) {
     const Phase phase(phase_deck, simulation);

@@ -8,9 +8,9 @@
 
 namespace repose {
 
-std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials) {
+std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials, const ReadFile& read_file) {
   std::vector<Wall> walls;
-  for (const WallDeck& w : deck.walls) walls.push_back(make_wall(w, materials.index_of(w.material)));
+  for (const WallDeck& w : deck.walls) walls.push_back(make_wall(w, materials.index_of(w.material), read_file));
   return walls;
 }
 

@@ -11,7 +11,7 @@
 /// Pieces of the set-up that a run and `repose check` share.
 namespace repose {
 
-std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials);
+std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials, const ReadFile& read_file);
 
 /// What the deck brings in (scene/insertion.h), with snapshots read by the output's own reader.
 Insertion insert_particles_of(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file);

@@ -30,7 +30,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       deck_(deck),
       level_(level),
       materials_(deck),
-      walls_(make_walls(deck, materials_)),
+      walls_(make_walls(deck, materials_, read_file)),
       decomposition_(comm.size()),
       ghosts_(comm),
       gravity_(deck.gravity) {

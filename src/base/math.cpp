@@ -28,35 +28,6 @@ double log_reproducible(double x) {
   return e * ln2_high + (2.0 * s + (2.0 * s * series + e * ln2_low));
 }
 
-SineCosine sin_cos_reproducible(double angle) {
-  // The nearest multiple of pi/2 goes off in three parts, of which the first two have 33 bits, so that their products
-  // with the whole number are exact.
-  constexpr double part1 = 0x1.921fb544p+0;
-  constexpr double part2 = 0x1.0b4611a6p-34;
-  constexpr double part3 = 0x1.3198a2e037073p-69;
-  const double quarters = std::floor(angle * (2.0 / pi) + 0.5);
-  const double x = ((angle - quarters * part1) - quarters * part2) - quarters * part3;
-  const double x2 = x * x;  // |x| <= pi/4: the series end below 1e-19
-  double sine = 0.0;
-  double cosine = 0.0;
-  for (int k = 18; k >= 2; k -= 2) {
-    sine = x2 / (k * (k + 1.0)) * (1.0 - sine);
-    cosine = x2 / (k * (k - 1.0)) * (1.0 - cosine);
-  }
-  sine = x - x * sine;
-  cosine = 1.0 - cosine;
-  switch (static_cast<std::int64_t>(quarters) & 3) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
-  }
-}
-
 double exp_reproducible(double x) {
   const double n = std::floor(x / (ln2_high + ln2_low) + 0.5);
   const double r = (x - n * ln2_high) - n * ln2_low;  // |r| <= ln 2 / 2: the series ends below half an ulp
@@ -77,6 +48,36 @@ double fifth_root(double x) {
     y = next;
   }
   return y;
+}
+
+SineCosine sin_cos_reproducible(double angle) {
+  // pi/2 in three parts: the first two have trailing zeros, so that their multiples are exact
+  constexpr double half_pi_high = 1.57079632673412561417e+00;
+  constexpr double half_pi_middle = 6.07710050630396597660e-11;
+  constexpr double half_pi_low = 2.02226624879595063154e-21;
+  const double quarters = std::floor(angle * (2.0 / pi) + 0.5);
+  const double above = angle - quarters * half_pi_high;
+  const double middle = quarters * half_pi_middle;
+  const double x = above - middle;
+  const double rest = ((above - x) - middle) - quarters * half_pi_low;  // the angle is x + rest
+  const double x2 = x * x;
+  double sine_tail = 0.0;    // sin x = x (1 + sine_tail), |x| < 0.79
+  double cosine_tail = 0.0;  // cos x = 1 - x^2/2 (1 + cosine_tail)
+  for (int k = 19; k >= 3; k -= 2) sine_tail = -x2 / (k * (k - 1)) * (1.0 + sine_tail);
+  for (int k = 20; k >= 4; k -= 2) cosine_tail = -x2 / (k * (k - 1)) * (1.0 + cosine_tail);
+  const double sine = x + (x * sine_tail + rest);
+  const double near_one = 1.0 - 0.5 * x2;
+  const double cosine = near_one + (((1.0 - near_one) - 0.5 * x2) - (0.5 * x2 * cosine_tail + x * rest));
+  switch (static_cast<std::int64_t>(quarters) & 3) {
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, -sine};
+    case 2:
+      return {-sine, -cosine};
+    default:
+      return {-cosine, sine};
+  }
 }
 
 }  // namespace repose

@@ -8,17 +8,19 @@ inline constexpr double pi = 3.141592653589793;
 /// with fused multiply-adds at load time, whose results differ.)
 double log_reproducible(double x);
 
-/// Sine and cosine of an angle in rad, |angle| < 1e6, within 2 ulp of the greater of the two, by arithmetic only.
-struct SineCosine {
-  double sine;
-  double cosine;
-};
-SineCosine sin_cos_reproducible(double angle);
-
 /// e^x for x that neither overflows nor underflows, within 2 ulp, by arithmetic only.
 double exp_reproducible(double x);
 
 /// x^(1/5) for x > 0, within 2 ulp, by arithmetic only (Newton's iteration from a power of two).
 double fifth_root(double x);
+
+struct SineCosine {
+  double sine;
+  double cosine;
+};
+
+/// Sine and cosine of an angle in radians, |angle| < 1e6, within 2 ulp but near the zeros beyond the first, where the
+/// error is below 1e-16; by arithmetic only.
+SineCosine sin_cos_reproducible(double angle);
 
 }  // namespace repose

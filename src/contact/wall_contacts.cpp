@@ -19,12 +19,13 @@ bool is_touched(const TouchBuffer& touches, int wall, int feature) {
 
 /// Whether a particle that moves by less than `skin` can touch one face and nothing else, and remembers of no other.
 bool is_at_one_face(std::span<const Wall> walls, const TouchBuffer& touches, std::span<const WallMemory> memory,
-                    const Vec3& position, double skin) {
+                    const ParticleRecord& particle, double skin) {
   if (touches.size() != 1 || !touches[0].on_face || memory.size() > 1) return false;
   const WallTouch& t = touches[0];
   if (!memory.empty() && (memory[0].wall != t.wall || memory[0].feature != t.feature)) return false;
   const Wall& wall = walls[static_cast<std::size_t>(t.wall)];
-  return margin(wall, t.feature, position) > 1.001 * (skin + wall.inner_skin);
+  return keeps_to_face(wall, t.feature, particle.position, particle.radius + skin + wall.inner_skin,
+                       skin + wall.inner_skin);
 }
 
 /// Whether a wall is nearer than `reach` to a particle, be it across a periodic boundary that it may pass.
@@ -32,7 +33,7 @@ bool is_within_reach(const Wall& wall, const Particles& particles, std::size_t i
   const Vec3 position = particles.position(i);
   bool found = false;
   particles.periodic.for_each_shift(
-      position, reach, [&](const Vec3& shift) { found = found || distance(wall, position + shift) < reach; });
+      position, reach, [&](const Vec3& shift) { found = found || is_within(wall, position + shift, reach); });
   return found;
 }
 
@@ -74,6 +75,7 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
     }
   }
   faces_.clear();
+  group_of_.clear();
   near_ = candidates_;
   near_walls_ = candidate_walls_;
 }
@@ -102,7 +104,7 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
       const double range = p.radius + skin + wall.inner_skin;
       bool near = false;
       particles.periodic.for_each_shift(position, skin, [&](const Vec3& shift) {
-        near |= touches.overflowed() ? distance(wall, position + shift) < range
+        near |= touches.overflowed() ? is_within(wall, position + shift, range)
                                      : find_touches(wall, w, position + shift, range, touches) > 0;
       });
       if (near) near_walls_.push_back(w);
@@ -110,7 +112,7 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
     const auto count = static_cast<std::int32_t>(near_walls_.size()) - first;
     if (count == 0) continue;
     const std::span<const WallMemory> old = memory.row(i);
-    if (particles.periodic.stays_inside(p.position, skin) && is_at_one_face(walls, touches, old, p.position, skin)) {
+    if (particles.periodic.stays_inside(p.position, skin) && is_at_one_face(walls, touches, old, p, skin)) {
       near_walls_.resize(static_cast<std::size_t>(first));
       const Wall& wall = walls[static_cast<std::size_t>(touches[0].wall)];
       add_lane(group_for(particles, i, wall, touches[0]), candidate.particle,
@@ -127,9 +129,8 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
 FaceGroup& WallContacts::group_for(const Particles& particles, std::size_t particle, const Wall& wall,
                                    const WallTouch& touch) {
   const std::int32_t material = particles.material[particle];
-  for (FaceGroup& g : faces_) {
-    if (g.material == material && g.wall == touch.wall && g.feature == touch.feature) return g;
-  }
+  const auto [group, is_new] = group_of_.try_emplace({material, touch.wall, touch.feature}, faces_.size());
+  if (!is_new) return faces_[group->second];
   return faces_.emplace_back(FaceGroup{.material = material,
                                        .wall = touch.wall,
                                        .feature = touch.feature,

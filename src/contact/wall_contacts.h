@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -63,8 +65,9 @@ class WallContacts {
 
   std::vector<Candidate> candidates_;
   std::vector<std::int32_t> candidate_walls_;
-  std::vector<FaceGroup> faces_;  ///< what select_near chose of them
-  std::vector<Candidate> near_;   ///< the rest of it
+  std::vector<FaceGroup> faces_;                                 ///< what select_near chose of them
+  std::map<std::array<std::int32_t, 3>, std::size_t> group_of_;  ///< of faces_ by material, wall, feature
+  std::vector<Candidate> near_;                                  ///< the rest of it
   std::vector<std::int32_t> near_walls_;
   std::vector<WallContact> contacts_;              ///< those of near_, in its order
   std::vector<WallContact> before_;                ///< those of the step before, while evaluate runs

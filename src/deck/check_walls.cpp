@@ -100,6 +100,9 @@ void check_wall_shapes(const Deck& deck, DeckErrors& errors) {
       case WallType::rectangle:
         check_rectangle(section, wall, errors);
         break;
+      case WallType::mesh:
+        check_direction(section, "rotate_axis", wall.rotate_axis, errors);
+        break;
     }
   }
 }

@@ -79,7 +79,7 @@ struct MotionDeck {
   std::vector<std::string> phases;     ///< empty: all
 };
 
-enum class WallType { profile, plane, disc, rectangle };
+enum class WallType { profile, plane, disc, rectangle, mesh };
 
 struct WallDeck {
   std::string name;
@@ -96,6 +96,12 @@ struct WallDeck {
   Vec3 corner;                                ///< rectangle
   Vec3 edge_u;                                ///< rectangle: from the corner
   Vec3 edge_v;                                ///< rectangle: from the corner, perpendicular to edge_u
+  std::string file;                           ///< mesh: path relative to the deck
+  double scale = 1.0;                         ///< mesh: m per unit of length of the file
+  Vec3 rotate_axis{0.0, 0.0, 1.0};            ///< mesh: through the origin of the file
+  double rotate_angle = 0.0;                  ///< mesh: degrees
+  Vec3 translate;                             ///< mesh: after scale and rotation
+  double feature_angle = 20.0;                ///< mesh: degrees; facets that turn by less are one smooth surface
   std::vector<MotionDeck> motions;            ///< [[wall.motion]], the first one applied first
 };
 

@@ -58,10 +58,27 @@ void describe(V& v, MotionDeck& m) {
 }
 
 template <class V>
+void describe_mesh(V& v, WallDeck& w) {
+  const bool is_mesh = w.type == WallType::mesh;
+  v("file", w.file, Unit::none, any_value, required.when(is_mesh, "type = mesh"),
+    "path from the deck's folder to an STL file, binary or ASCII");
+  v("scale", w.scale, Unit::none, above(0), optional.when(is_mesh, "type = mesh"),
+    "metres per unit of the file, such as 0.001 for mm");
+  v("rotate_axis", w.rotate_axis, Unit::none, any_value, optional.when(is_mesh, "type = mesh"),
+    "axis through the file's origin, of any length");
+  v("rotate_angle", w.rotate_angle, Unit::none, from_to(-360, 360), optional.when(is_mesh, "type = mesh"),
+    "angle around it by the right-hand rule, in degrees");
+  v("translate", w.translate, Unit::metre, any_value, optional.when(is_mesh, "type = mesh"),
+    "displacement, after scale and rotation");
+  v("feature_angle", w.feature_angle, Unit::none, from_to(0.1, 90), optional.when(is_mesh, "type = mesh"),
+    "facets that turn by less, in degrees, are one smooth surface, touched once");
+}
+
+template <class V>
 void describe(V& v, WallDeck& w) {
   v("name", w.name, Unit::none, any_value, required, "name, used once");
   v("type", w.type, Unit::none, any_value, required,
-    "profile: a polyline turned around an axis; plane: without bounds");
+    "profile: a polyline turned around an axis; plane: without bounds; mesh: triangles from an STL file");
   const bool is_profile = w.type == WallType::profile;
   const bool is_plane = w.type == WallType::plane;
   const bool is_disc = w.type == WallType::disc;
@@ -84,6 +101,7 @@ void describe(V& v, WallDeck& w) {
     "edge from the corner");
   v("edge_v", w.edge_v, Unit::metre, any_value, required.when(is_rectangle, "type = rectangle"),
     "other edge from the corner, perpendicular to edge_u");
+  describe_mesh(v, w);
   v.sections("motion", w.motions, optional, "moves the wall; several are applied one after the other");
 }
 

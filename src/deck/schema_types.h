@@ -58,7 +58,7 @@ constexpr auto enumerators(DomainFace) {
   return std::array<std::string_view, 6>{"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
 }
 constexpr auto enumerators(WallType) {
-  return std::array<std::string_view, 4>{"profile", "plane", "disc", "rectangle"};
+  return std::array<std::string_view, 5>{"profile", "plane", "disc", "rectangle", "mesh"};
 }
 constexpr auto enumerators(PhaseUntil) {
   return std::array<std::string_view, 4>{"kinetic_energy", "time", "steps", "tilt_onset"};

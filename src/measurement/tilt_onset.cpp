@@ -12,9 +12,9 @@ void TiltOnset::sample(const Communicator& comm, const Particles& particles, dou
   std::array<double, 5> seen = {};
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const ParticleRecord& p = particles.record[i];
-    if (particles.id[i] == deck_.particle && !is_parked(p))
-      const Vec3 x = particles.position(i);
-      seen = {x.x, x.y, x.z, p.radius, 1.0};
+    if (particles.id[i] != deck_.particle || is_parked(p)) continue;
+    const Vec3 x = particles.position(i);
+    seen = {x.x, x.y, x.z, p.radius, 1.0};
   }
   comm.sum_elements(std::span(seen.begin(), seen.end()));
   if (seen[4] == 0.0) return;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "scene/stl.h"
 
 namespace repose {
 
@@ -19,7 +20,12 @@ Rectangle make_rectangle(const Vec3& corner, const Vec3& edge_u, const Vec3& edg
   return {corner, u, v, norm(edge_u), norm(edge_v), unit_vector(cross(u, v))};
 }
 
-std::variant<Plane, Rectangle, Profile> make_shape(const WallDeck& deck) {
+Mesh read_mesh(const WallDeck& deck, const ReadFile& read_file) {
+  const MeshPlacement placement = {deck.scale, deck.rotate_axis, deck.rotate_angle, deck.translate};
+  return make_mesh(parse_stl(read_file(deck.file), deck.file), placement, deck.feature_angle);
+}
+
+decltype(Wall::shape) make_shape(const WallDeck& deck, const ReadFile& read_file) {
   switch (deck.type) {
     case WallType::plane:
       return Plane{deck.point, unit_vector(deck.normal)};
@@ -30,6 +36,8 @@ std::variant<Plane, Rectangle, Profile> make_shape(const WallDeck& deck) {
       return make_profile({{0.0, 0.0}, {deck.radius, 0.0}}, deck.centre, deck.normal);
     case WallType::profile:
       return make_profile(deck.points, deck.axis_origin, deck.axis_direction);
+    case WallType::mesh:
+      return read_mesh(deck, read_file);
   }
   throw std::invalid_argument("unknown shape");
 }
@@ -47,6 +55,7 @@ bool keeps(const Plane& plane, const MotionDeck& motion) {
   return false;
 }
 bool keeps(const Rectangle&, const MotionDeck&) { return false; }
+bool keeps(const Mesh&, const MotionDeck&) { return false; }
 bool keeps(const Profile& profile, const MotionDeck& motion) {
   return motion.type == MotionType::rotation && cross(motion.axis_direction, profile.axis) == Vec3{} &&
          cross(motion.axis_origin - profile.origin, profile.axis) == Vec3{};
@@ -63,13 +72,13 @@ Vec3 seen_by(const Wall& wall, const Vec3& centre) { return wall.travels ? wall.
 
 }  // namespace
 
-Wall make_wall(const WallDeck& deck, int material) {
+Wall make_wall(const WallDeck& deck, int material, const ReadFile& read_file) {
   try {
     Wall wall;
     wall.name = deck.name;
     wall.material = material;
     wall.present = deck.present;
-    wall.shape = make_shape(deck);
+    wall.shape = make_shape(deck, read_file);
     wall.motions = Motions(deck.motions);
     wall.travels = is_moved(wall);
     return wall;
@@ -99,15 +108,32 @@ double distance(const Wall& wall, const Vec3& centre) {
   return std::visit([&](const auto& shape) { return distance(shape, seen_by(wall, centre)); }, wall.shape);
 }
 
+bool is_within(const Wall& wall, const Vec3& centre, double reach) {
+  if (const auto* mesh = std::get_if<Mesh>(&wall.shape)) return is_within(*mesh, seen_by(wall, centre), reach);
+  return distance(wall, centre) < reach;
+}
+
 Face face_of(const Wall& wall, int feature) {
   return std::visit([&](const auto& shape) { return face_of(shape, feature); }, wall.shape);
 }
 
-double margin(const Wall& wall, int feature, const Vec3& centre) {
-  return std::visit([&](const auto& shape) { return margin(shape, feature, seen_by(wall, centre)); }, wall.shape);
+namespace {
+
+/// The touches of the other shapes are all their features within reach, so only the end of the face can come nearer.
+template <class Shape>
+bool keeps_to_face(const Shape& shape, int feature, const Vec3& centre, double, double skin) {
+  return margin(shape, feature, centre) > 1.001 * skin;
+}
+
+}  // namespace
+
+bool keeps_to_face(const Wall& wall, int feature, const Vec3& centre, double reach, double skin) {
+  const Vec3 seen = seen_by(wall, centre);
+  return std::visit([&](const auto& shape) { return keeps_to_face(shape, feature, seen, reach, skin); }, wall.shape);
 }
 
 bool adjacent_features(const Wall& wall, int a, int b) {
+  if (const auto* mesh = std::get_if<Mesh>(&wall.shape)) return adjacent_features(*mesh, a, b);
   const int apart = std::abs(a - b);
   const auto* profile = std::get_if<Profile>(&wall.shape);
   if (profile == nullptr || !profile->closed) return apart <= 2;

@@ -49,10 +49,12 @@ WallDeck floor_at(double height) {
   return wall;
 }
 
-Scene::Scene(Deck deck, const std::vector<Grain>& grains, VectorLevel level)
+Scene::Scene(Deck deck, const std::vector<Grain>& grains, VectorLevel level,
+             const std::map<std::string, std::string>& files)
     : comm_(MPI_COMM_WORLD),
       simulation_(
-          comm_, with_csv(std::move(deck)), [&](const std::string&) { return csv_of(grains); }, level) {}
+          comm_, with_csv(std::move(deck)),
+          [&](const std::string& file) { return files.contains(file) ? files.at(file) : csv_of(grains); }, level) {}
 
 std::vector<Grain> Scene::grains() const {
   const Particles& particles = simulation_.particles();

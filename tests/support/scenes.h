@@ -36,10 +36,12 @@ Deck bare_deck(const Coefficients& c, double timestep);
 /// The plane z = height, of material "wall".
 WallDeck floor_at(double height);
 
-/// A simulation on all ranks of MPI_COMM_WORLD, with its particles from a list (all of material "grain").
+/// A simulation on all ranks of MPI_COMM_WORLD, with its particles from a list (all of material "grain"). `files` holds
+/// the texts of other files that the deck names.
 class Scene {
  public:
-  Scene(Deck deck, const std::vector<Grain>& grains, VectorLevel level = best_vector_level());
+  Scene(Deck deck, const std::vector<Grain>& grains, VectorLevel level = best_vector_level(),
+        const std::map<std::string, std::string>& files = {});
 
   Simulation& simulation() { return simulation_; }
   void run(std::int64_t steps) {

@@ -126,7 +126,7 @@ TEST(DeckErrors, Types) {
       {"[measurement.discharge]", "[[measurement.discharge]]",
        "76:1: \"measurement.discharge\" is a list of 1; it must be the section [measurement.discharge]"},
       {"type = \"disc\"", "type = \"disk\"",
-       "43:8: \"disk\" is no type; it must be one of profile, plane, disc, rectangle; the nearest is \"disc\""},
+       "43:8: \"disk\" is no type; it must be one of profile, plane, disc, rectangle, mesh; the nearest is \"disc\""},
   });
 }
 

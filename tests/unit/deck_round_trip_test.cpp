@@ -167,7 +167,7 @@ TEST(KeyReference, NamesEveryKeyOnItsOwnLine) {
       std::unique(single_spaced.begin(), single_spaced.end(), [](char a, char b) { return a == ' ' && b == ' '; }),
       single_spaced.end());
   EXPECT_NE(single_spaced.find("\n poisson_ratio - number 0 <= x < 0.5 required Poisson's ratio"), std::string::npos);
-  EXPECT_NE(text.find("profile|plane|disc|rectangle"), std::string::npos);
+  EXPECT_NE(text.find("profile|plane|disc|rectangle|mesh"), std::string::npos);
   EXPECT_NE(text.find("1.1 diameters"), std::string::npos);
 }
 

@@ -8,3 +8,5 @@ repose_test(scene_insertion_tests LABEL unit
 repose_test(scene_size_tests LABEL unit
   SOURCES scene_size_csv_test.cpp scene_sizes_test.cpp
   LINK repose_scene)
+repose_test(scene_mesh_tests LABEL unit SOURCES scene_mesh_test.cpp scene_stl_test.cpp LINK repose_scene)
+target_include_directories(scene_mesh_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests)

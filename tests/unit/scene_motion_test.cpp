@@ -121,7 +121,8 @@ TEST(MovingWall, IsFeltWhereItHasCome) {
   expect_near(touches[0].normal, {1.0, 0.0, 0.0}, 1e-15);
   expect_near(touches[0].point, {0.01, 0.002, 0.015}, 1e-15);
   EXPECT_EQ(touches[0].wall, 7);
-  EXPECT_NEAR(margin(wall, touches[0].feature, centre), 0.005, 1e-15);
+  EXPECT_TRUE(keeps_to_face(wall, touches[0].feature, centre, 0.0, 0.0049));
+  EXPECT_FALSE(keeps_to_face(wall, touches[0].feature, centre, 0.0, 0.0051));
 }
 
 TEST(MovingWall, StaysWhereItsMotionLeavesItsShape) {

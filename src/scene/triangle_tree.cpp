@@ -11,12 +11,12 @@ constexpr std::uint32_t leaf_size = 4;
 
 }  // namespace
 
-void Box::enclose(const Vec3& p) {
+void BoundingBox::enclose(const Vec3& p) {
   min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
   max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
 }
 
-void Box::enclose(const Corners& corners) {
+void BoundingBox::enclose(const Corners& corners) {
   for (const Vec3& corner : corners) enclose(corner);
 }
 
@@ -30,7 +30,7 @@ TriangleTree::TriangleTree(std::span<const Corners> triangles) : order_(triangle
 void TriangleTree::build(std::span<const Corners> triangles, std::span<const Vec3> middles, std::uint32_t first,
                          std::uint32_t count) {
   Node node;
-  Box of_middles;
+  BoundingBox of_middles;
   for (std::uint32_t k = first; k < first + count; ++k) {
     node.box.enclose(triangles[order_[k]]);
     of_middles.enclose(middles[order_[k]]);

@@ -10,7 +10,7 @@
 namespace repose {
 
 /// A box with sides along the axes.
-struct Box {
+struct BoundingBox {
   Vec3 min{1e300, 1e300, 1e300};
   Vec3 max{-1e300, -1e300, -1e300};
 
@@ -19,7 +19,7 @@ struct Box {
 };
 
 /// Squared distance in m2 from a centre to a box; 0 inside.
-inline double squared_distance(const Box& box, const Vec3& centre) {
+inline double squared_distance(const BoundingBox& box, const Vec3& centre) {
   const auto beyond = [](double low, double x, double high) { return x < low ? low - x : x > high ? x - high : 0.0; };
   const double x = beyond(box.min.x, centre.x, box.max.x);
   const double y = beyond(box.min.y, centre.y, box.max.y);
@@ -60,7 +60,7 @@ class TriangleTree {
 
  private:
   struct Node {
-    Box box;
+    BoundingBox box;
     std::uint32_t first = 0;  // of its triangles in order_; of an inner node the right child (the left one is next)
     std::uint32_t count = 0;  // of an inner node 0
   };

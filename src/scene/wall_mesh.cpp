@@ -46,7 +46,7 @@ void place(const MeshPlacement& placement, TriangleMesh& mesh) {
 
 /// The largest coordinate of the placed mesh.
 double checked_extent(const TriangleMesh& mesh) {
-  Box box;
+  BoundingBox box;
   for (const Vec3& v : mesh.vertices) box.enclose(v);
   const auto largest = [](const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); };
   const double extent = std::max(largest(box.min), largest(box.max));

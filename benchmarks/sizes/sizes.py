@@ -112,12 +112,12 @@ def main():
         bed.make()
     rounds = [[bed.measure(args.steps) for bed in beds] for _ in range(args.rounds)]
     rate = [[s["timing"]["particle_steps_per_cpu_second"] for s in one] for one in rounds]
-    print(f"{'bed':8} {'million particle-steps per cpu-s':>33} {'over ' + args.beds[0]:>11} {'lists, us':>10}"
+    print(f"{'bed':8} {'million particle-steps per cpu-s':>33} {'over ' + args.beds[0]:>11} {'lists, ns':>10}"
           f" {'pairs':>6} {'ghosts on 2 ranks':>18}")
     for k, bed in enumerate(beds):
         last = rounds[-1][k]
         share = statistics.median(one[k] / one[0] for one in rate)
-        lists = 1e6 * last["timing"]["stages"]["lists"]["mean_s"] / last["lists"]["rebuilds"] / bed.size
+        lists = 1e9 * last["timing"]["stages"]["lists"]["mean_s"] / (args.steps * bed.size)
         two = bed.measure(max(args.steps // 10, 10), ranks=2)["lists"]
         print(f"{bed.name:8} {1e-6 * statistics.median(one[k] for one in rate):33.2f} {share:11.2f} {lists:10.2f}"
               f" {last['lists']['listed_pairs_per_particle']:6.1f} {two['ghosts']:18}")

@@ -47,7 +47,7 @@ class Bed:
         self.half = max(0.5 * math.sqrt(self.volume / (SOLID * depth)), 0.75 * self.ball)
         self.loose = max(self.volume / (LOOSE * (2 * self.half) ** 2), 1.5 * self.largest)
 
-    def run(self, output, blocks, phase, ranks=1):
+    def run(self, output, blocks, phase, ranks=1, more=()):
         """The summary of a run; blocks and phase are texts of a deck."""
         self.folder.mkdir(parents=True, exist_ok=True)
         deck = self.folder / f"{output}.toml"
@@ -57,7 +57,7 @@ class Bed:
         h, top = self.half, self.loose + 2 * self.ball + 1e-3
         sets = [f"domain.min=[{-2 * h}, {-2 * h}, -1e-3]", f"domain.max=[{2 * h}, {2 * h}, {top}]",
                 f"wall.x_low.point=[{-h}, 0.0, 0.0]", f"wall.x_high.point=[{h}, 0.0, 0.0]",
-                f"wall.y_low.point=[0.0, {-h}, 0.0]", f"wall.y_high.point=[0.0, {h}, 0.0]"]
+                f"wall.y_low.point=[0.0, {-h}, 0.0]", f"wall.y_high.point=[0.0, {h}, 0.0]", *more]
         launcher = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
         options = [word for text in sets for word in ("--set", text)]
         subprocess.run([*launcher, self.program, "run", deck, "--output", self.folder / output, "--quiet", *options],
@@ -65,9 +65,10 @@ class Bed:
         return json.loads((self.folder / output / "summary.json").read_text())
 
     def settle(self, output, blocks):
+        # The guard is raised: a large grain that falls on small ones presses into them while the bed settles.
         energy = 3592.0 * self.volume / self.size * 1e-7  # 1e-7 J/kg
         self.run(output, blocks, f'\n[[phase]]\nname = "settle"\nuntil = "kinetic_energy"\nkinetic_energy = {energy}\n'
-                 'min_time = 0.05\nmax_time = 0.3\n')
+                 'min_time = 0.05\nmax_time = 0.3\n', more=["guards.max_overlap=0.9"])
         next((self.folder / output).glob("run_*.hdf")).rename(self.folder / f"{output}.hdf")
 
     def make(self):
@@ -75,7 +76,8 @@ class Bed:
         if (self.folder / "bed.hdf").exists():
             return
         h = self.half
-        sizes = (f'type = "classes"\ndiameters = [{self.largest}]\nshares = [1.0]\n' if self.smallest == self.largest else
+        sizes = (f'type = "classes"\ndiameters = [{self.largest}]\nshares = [1.0]\n'
+                 if self.smallest == self.largest else
                  f'type = "uniform"\nby = "mass"\nmin_diameter = {self.smallest}\nmax_diameter = {self.largest}\n')
         fill = (f'\n[[particles]]\ntype = "fill"\nmaterial = "carbohsp"\ncount = {self.size}\nregion = "box"\n'
                 f"min = [{-h}, {-h}, 0.0]\nmax = [{h}, {h}, {self.loose}]\n[particles.sizes]\n{sizes}")

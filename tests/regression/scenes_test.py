@@ -12,14 +12,14 @@ import unittest
 
 from repose_runs import Program
 
-COLUMN = ("particles.0.height=12 mm", "phase.settle.min_time=5 ms", "phase.settle.max_time=15 ms",
-          "phase.discharge.min_time=5 ms", "phase.discharge.max_time=15 ms")
+COLUMN = ("particles.0.height=12 mm", "phase.settle.min_time=5 ms", "phase.settle.max_time=8 ms",
+          "phase.discharge.min_time=5 ms", "phase.discharge.max_time=8 ms")
 
 SCENES = [
     ("carbohsp_multi.toml", ("particles.0.mass=0.1 g", *COLUMN)),
     ("sand_multi.toml", ("particles.0.mass=0.3 g", *COLUMN)),
     ("sand_mono.toml", ("particles.0.mass=0.3 g", *COLUMN)),
-    ("pour_quick.toml", ("phase.pour.max_time=40 ms",)),
+    ("pour_quick.toml", ("phase.pour.max_time=30 ms",)),
 ]
 
 
@@ -29,20 +29,38 @@ class Scenes(unittest.TestCase):
     def compare(self, deck, overrides):
         with tempfile.TemporaryDirectory() as folder:
             def run(name, *more, ranks=0):
-                return self.program.run(self.program.deck(deck), os.path.join(folder, name), *overrides, *more,
-                                        ranks=ranks, options=("--quiet",))
+                return self.program.run(deck, os.path.join(folder, name), *overrides, *more, ranks=ranks,
+                                        options=("--quiet",))
             one = run("one")
             self.assertGreater(one["particles"]["inside"], 100)
             for other in (run("four", ranks=4), run("lists", "neighbours.skin=0.1", "neighbours.inner_skin=0.01")):
                 for key in ("state_hash", "steps", "particles", "sizes", "phases"):
                     self.assertEqual(one[key], other[key])
+            return one
+
+    def test_snapshot_continues_where_another_run_has_ended(self):
+        pour = self.program.deck("pour_quick.toml")
+        with tempfile.TemporaryDirectory() as folder:
+            first = self.program.run(pour, folder, "phase.pour.max_time=30 ms", options=("--quiet",))
+            (name,) = [f for f in os.listdir(folder) if f == f"run_{first['steps']:010d}.hdf"]
+            with open(pour) as file:
+                text = file.read()
+            begin, end = text.index("[[particles]]"), text.index("[[phase]]")
+            deck = os.path.join(folder, "continued.toml")
+            with open(deck, "w") as file:
+                file.write(f'{text[:begin]}[[particles]]\ntype = "snapshot"\nfile = "{name}"\n\n{text[end:]}')
+            second = self.compare(deck, ("phase.pour.max_time=10 ms",))
+            self.assertEqual(second["particles"]["inserted"], first["particles"]["inside"])
 
 
 def add_test(deck, overrides):
+    def test(self):
+        self.compare(self.program.deck(deck), overrides)
+
     name = "test_" + os.path.splitext(deck)[0]
     while hasattr(Scenes, name):
         name += "_"
-    setattr(Scenes, name, lambda self: self.compare(deck, overrides))
+    setattr(Scenes, name, test)
 
 
 for scene in SCENES:

@@ -92,7 +92,8 @@ TEST(DeckErrors, KeysOfAnotherType) {
   expect_messages({
       {"point = [0, 0, -0.05]", "point = [0, 0, -0.05]\nradius = 1",
        "34:1: \"radius\" of [[wall]] is only allowed with type = disc; remove it"},
-      {"count = 100", "file = \"a.csv\"", "53:1: \"file\" of [[particles]] is only allowed with type = csv, snapshot; remove it"},
+      {"count = 100", "file = \"a.csv\"",
+       "53:1: \"file\" of [[particles]] is only allowed with type = csv, snapshot; remove it"},
       {"count = 100", "max = [1, 1, 1]", "53:1: \"max\" of [[particles]] is only allowed with region = box; remove it"},
       {"time = 1\n", "time = 1\nsteps = 5\n",
        "74:1: \"steps\" of [[phase]] is only allowed with until = steps; remove it"},
@@ -196,6 +197,55 @@ TEST(DeckErrors, MixturesNeedTheirPairs) {
   const std::string pair =
       "[[pair]]\nmaterials = [\"steel\", \"steel\"]\nrestitution = 1\nsliding_friction = 0\nrolling_friction = 0\n";
   EXPECT_EQ(message_of(two + pair), "no error");
+}
+
+TEST(DeckErrors, Sizes) {
+  const auto sizes = [](const std::string& keys) {
+    std::string deck = with("diameter = \"2 mm\"\n", "");
+    return message_of(deck.insert(deck.find("\n[time]"), "[particles.sizes]\n" + keys));
+  };
+  const std::string uniform = "type = \"uniform\"\nmin_diameter = 1e-3\nmax_diameter = 3e-3\n";
+  EXPECT_EQ(sizes(uniform), "no error");
+  EXPECT_EQ(message_of(with("diameter = \"2 mm\"\n", "")),
+            "deck.toml:49:1: [[particles]] lacks \"diameter\" or \"sizes\"; give one of them");
+  EXPECT_EQ(sizes("type = \"uniform\"\nmin_diameter = 1e-3\n"),
+            "deck.toml:57:1: [particles.sizes] lacks \"max_diameter\" (what is larger is left out)");
+  EXPECT_EQ(sizes("type = \"uniform\"\nmin_diameter = 3e-3\nmax_diameter = 1e-3\n"),
+            "deck.toml:60:16: \"max_diameter\" = 0.001 must be greater than \"min_diameter\" = 0.003");
+  EXPECT_EQ(sizes(uniform + "median = 2e-3\n"),
+            "deck.toml:61:1: \"median\" of [particles.sizes] is only allowed with type = lognormal; remove it");
+  EXPECT_EQ(sizes("type = \"classes\"\ndiameters = [1e-3, 2e-3]\nshares = [1]\n"),
+            "deck.toml:60:10: 1 \"shares\" for 2 \"diameters\"; give one for each");
+  EXPECT_EQ(sizes("type = \"classes\"\ndiameters = [2e-3, 2e-3]\nshares = [1, 1]\n"),
+            "deck.toml:59:13: \"diameters\" must increase");
+  EXPECT_EQ(sizes("type = \"classes\"\ndiameters = [2e-3]\nshares = [0]\n"), "deck.toml:60:10: \"shares\" are all 0");
+}
+
+TEST(DeckErrors, Pours) {
+  expect_messages({
+      {"type = \"fill\"", "type = \"pour\"",
+       "49:1: [[particles]] lacks \"rate\" or \"particle_rate\"; give one of them"},
+      {"type = \"fill\"", "type = \"pour\"\nrate = 1\nparticle_rate = 1",
+       "52:17: \"rate\" and \"particle_rate\" are both given; remove one"},
+      {"type = \"fill\"", "type = \"pour\"\nrate = \"1 g\"",
+       "51:8: \"rate\": \"1 g\" is not a mass per time; write a mass per time with one of the units kg/s, t/s, g/s, "
+       "mg/s"},
+      {"region = \"cylinder\"\ncentre = [0, 0, 0]\nradius = 0.015\nheight = 0.05",
+       "region = \"disc\"\ncentre = [0, 0, 0]\nradius = 0.015",
+       "54:10: a disc has no volume to fill; only type = \"pour\" can use it"},
+  });
+}
+
+TEST(DeckErrors, Lattices) {
+  expect_messages({
+      {"type = \"fill\"\nmaterial = \"glass\"\ndiameter = \"2 mm\"\ncount = 100",
+       "type = \"lattice\"\nmaterial = \"glass\"\ndiameter = \"2 mm\"\nlattice = \"face_centred\"\nspacing = 0.0025",
+       "54:11: \"spacing\" = 0.0025 puts the nearest sites at 0.00176777, less than the diameter 0.002"},
+      {"type = \"fill\"\nmaterial = \"glass\"\ndiameter = \"2 mm\"\ncount = 100",
+       "type = \"lattice\"\nmaterial = \"glass\"\ndiameter = \"2 mm\"\nspacing = 0.0025\ncounts = [1, 2, 3]",
+       "55:1: \"region\" of [[particles]] is only allowed with type = fill, pour, or lattice without counts; remove "
+       "it"},
+  });
 }
 
 TEST(DeckErrors, Shapes) {

@@ -49,7 +49,8 @@ double friction_of(const Deck& deck, const MaterialTable& materials, const Inser
   const auto after = std::upper_bound(insertion.block_begin.begin(), insertion.block_begin.end(), id);
   const ParticlesDeck& block = deck.particles[static_cast<std::size_t>(after - insertion.block_begin.begin()) - 1];
   const NewParticles& now = insertion.now;
-  const auto found = std::find(now.id.begin(), now.id.end(), id);  // not there: it is poured, and its block has one material
+  const auto found =
+      std::find(now.id.begin(), now.id.end(), id);  // not there: it is poured, and its block has one material
   const int material = found == now.id.end() ? materials.index_of(block.material)
                                              : now.material[static_cast<std::size_t>(found - now.id.begin())];
   const PairParameters& pair = materials.pair(static_cast<std::size_t>(material),

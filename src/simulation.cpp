@@ -18,7 +18,8 @@ constexpr std::int64_t inner_horizon_steps = 32;   // steps at present speed tha
 constexpr std::int64_t outer_horizon_steps = 320;  // the same of the outer skin
 
 void append_particle(const NewParticles& from, std::size_t i, Particles& to) {
-  to.record.push_back({to.periodic.on_grid(from.position[i]), from.radius[i], from.velocity[i], 0.0, from.spin[i], 0.0});
+  to.record.push_back(
+      {to.periodic.on_grid(from.position[i]), from.radius[i], from.velocity[i], 0.0, from.spin[i], 0.0});
   to.id.push_back(from.id[i]);
   to.material.push_back(from.material[i]);
 }

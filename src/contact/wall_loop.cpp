@@ -145,9 +145,8 @@ template <class Law, class FaceShape>
 ContactAlarms evaluate_walls(VectorLevel level, const WallLaw& law, std::span<WallContact> contacts,
                              std::span<const std::int32_t> chosen, const ParticleRecord* records, ForceSum* sums) {
   return with_law(law.pair, [&](auto pair_law) {
-    return at_level(level, [&]() REPOSE_INLINE {
-      return evaluate_body<decltype(pair_law)>(law, contacts, chosen, records, sums);
-    });
+    return at_level(
+        level, [&]() REPOSE_INLINE { return evaluate_body<decltype(pair_law)>(law, contacts, chosen, records, sums); });
   });
 }
 

@@ -261,9 +261,9 @@ struct Deck {
   RunDeck run;
   Vec3 gravity{0.0, 0.0, -9.81};
   DomainDeck domain;
-  std::vector<ExitDeck> exits;           ///< [[exit]]
-  std::vector<MaterialDeck> materials;   ///< [[material]]
-  std::vector<PairDeck> pairs;           ///< [[pair]]
+  std::vector<ExitDeck> exits;          ///< [[exit]]
+  std::vector<MaterialDeck> materials;  ///< [[material]]
+  std::vector<PairDeck> pairs;          ///< [[pair]]
   ContactDeck contact;
   std::vector<WallDeck> walls;           ///< [[wall]]
   std::vector<ParticlesDeck> particles;  ///< [[particles]]

@@ -30,8 +30,7 @@ void HeldParticles::list(Particles& particles) {
   if (blocks_.empty()) return;
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const std::int64_t id = particles.id[i];
-    const auto block =
-        std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return b.contains(id); });
+    const auto block = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return b.contains(id); });
     if (block == blocks_.end()) continue;
     particles.torque_to_acceleration[i] = 0.0;
     if (!block->held) continue;

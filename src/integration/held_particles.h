@@ -34,7 +34,7 @@ class HeldParticles {
   /// A block of the deck with particles first to end - 1.
   struct Block {
     std::int64_t first, end;
-    bool held;  ///< else only its rotation is blocked
+    bool held;                ///< else only its rotation is blocked
     std::vector<Vec3> start;  ///< m, where they begin, when they have motions
     Motions motions;
     Placement placement;

@@ -20,10 +20,10 @@ using ReadSnapshot = std::function<NewParticles(const std::string&)>;
 /// All that a deck brings in. The blocks [[particles]] own consecutive ranges of numbers, in the order of the deck,
 /// also where they are poured later.
 struct Insertion {
-  NewParticles now;               ///< at the start
-  std::vector<Pour> pours;        ///< later
-  std::vector<SizeReport> sizes;  ///< of the blocks with [particles.sizes]
-  std::int64_t planned = 0;       ///< particles at the start and later
+  NewParticles now;                             ///< at the start
+  std::vector<Pour> pours;                      ///< later
+  std::vector<SizeReport> sizes;                ///< of the blocks with [particles.sizes]
+  std::int64_t planned = 0;                     ///< particles at the start and later
   std::vector<std::int64_t> block_begin = {0};  ///< the first number of each block of the deck, and of none behind them
 
   /// Calls visit(radius, material) for every particle, present and planned, in the order of this struct.

@@ -32,7 +32,7 @@ struct FreePlaces {
 };
 
 FreePlaces place(const ParticlesDeck& fill, std::span<const double> radii, std::int64_t first_id, std::uint64_t seed,
-                const std::vector<Wall>& walls) {
+                 const std::vector<Wall>& walls) {
   std::vector<std::size_t> order(radii.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });

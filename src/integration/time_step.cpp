@@ -22,7 +22,7 @@ double power_fifth(double x) { return x * x * x * x * x; }
 /// Shortest Rayleigh time of all particles that move.
 double shortest_rayleigh_time(const MaterialTable& materials, const SmallestRadii& radii) {
   double shortest = infinite;
-  for (std::size_t m = 0; m < materials.size(); ++m) {
+  for (std::size_t m = 0; m < radii.of_material.size(); ++m) {
     if (radii.of_material[m] < infinite && !materials.is_held(static_cast<std::int32_t>(m))) {
       shortest = std::min(shortest, rayleigh_time(radii.of_material[m], materials[m]));
     }
@@ -35,7 +35,7 @@ double shortest_rayleigh_time(const MaterialTable& materials, const SmallestRadi
 template <class Time>
 double shortest_contact_time(const MaterialTable& materials, const SmallestRadii& radii, const Time& time) {
   double shortest = infinite;
-  for (std::size_t a = 0; a < materials.size(); ++a) {
+  for (std::size_t a = 0; a < radii.of_material.size(); ++a) {
     const double radius = radii.of_material[a];
     if (!(radius < infinite) || materials.is_held(static_cast<std::int32_t>(a))) continue;
     const double mass = sphere_mass(radius, materials[a].density);
@@ -43,7 +43,7 @@ double shortest_contact_time(const MaterialTable& materials, const SmallestRadii
       const PairParameters& pair = materials.pair(a, b);
       if (pair.youngs_modulus_eff <= 0.0) continue;
       shortest = std::min(shortest, time(pair, radius, mass));  // at a wall
-      const double other = radii.of_material[b];
+      const double other = b < radii.of_material.size() ? radii.of_material[b] : infinite;
       if (!(other < infinite)) continue;
       const double other_mass = sphere_mass(other, pair.density_second);
       shortest =

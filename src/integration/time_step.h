@@ -40,7 +40,8 @@ struct TimeStep {
   std::string criterion;  ///< "rayleigh", "hertz", "hooke" or "given"
 };
 
-/// Smallest radius of the particles of each material; infinity where there are none.
+/// Smallest radius of the particles of each material; infinity where there are none. Materials behind the last entry
+/// have none.
 struct SmallestRadii {
   std::vector<double> of_material;
 };

@@ -34,15 +34,15 @@ class Drum(unittest.TestCase):
 
     def test_the_bed_resists_the_rotation(self):
         # The weight's lever arm is the way of the bed's centre of mass: a torque against the rotation about +y.
-        self.assertLess(self.mean("drum_torque_y_Nm", 0.5, 1.35), -1e-4)
-        self.assertLess(abs(self.mean("drum_torque_y_Nm", 0.12, 0.15)), 2e-5)
+        self.assertLess(self.mean("drum_torque_y_Nm", 0.5, 1.35), -1e-3)
+        self.assertLess(abs(self.mean("drum_torque_y_Nm", 0.12, 0.15)), 2e-4)  # at rest, but for some sloshing
 
     def test_the_surface_slopes(self):
-        # Turning about +y by the right-hand rule, the shell moves towards +x at the bottom... and the bed is carried
-        # up on the side it moves to: rough grains of this friction flow at 30 to 45 degrees.
+        # Turning about +y the shell moves towards -x at the bottom and carries the bed up there: the surface falls
+        # towards +x. Grains of this friction flow at 30 to 45 degrees.
         self.assertGreater(self.summary["surface_angle_samples"], 50)
-        self.assertGreater(abs(self.summary["surface_angle_deg"]), 28.0)
-        self.assertLess(abs(self.summary["surface_angle_deg"]), 46.0)
+        self.assertLess(self.summary["surface_angle_deg"], -28.0)
+        self.assertGreater(self.summary["surface_angle_deg"], -46.0)
         self.assertLess(self.summary["surface_angle_deviation_deg"], 6.0)
 
 

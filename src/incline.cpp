@@ -61,8 +61,8 @@ double friction_of(const Deck& deck, const MaterialTable& materials, const Inser
 }  // namespace
 
 void sample_tilt_onset(const Simulation& simulation, TiltOnset& onset) {
-  if (simulation.is_tilting()) {
-    onset.sample(simulation.comm(), simulation.particles(), std::fabs(simulation.tilt()));
+  if (simulation.scene().is_tilting()) {
+    onset.sample(simulation.comm(), simulation.particles(), std::fabs(simulation.scene().tilt()));
   }
 }
 

@@ -1,7 +1,14 @@
 #include "pile_measurement.h"
 
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
 #include "measurement/draw.h"
 #include "measurement/pile.h"
+#include "output/agreement.h"
+#include "output/collect_particles.h"
 
 namespace repose {
 
@@ -31,6 +38,25 @@ std::optional<AngleOfRepose> measure_angle_of_repose(const AngleOfReposeDeck& de
   const std::optional<AngleOfRepose> angle = angle_of_repose(pile, parameters);
   if (angle) write_silhouette_png(picture, *angle, pile, parameters);
   return angle;
+}
+
+void summarise_pile(const Simulation& simulation, const std::string& picture, Summary& summary) {
+  const ParticleTable table =
+      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
+  const std::vector<Sphere> grains = gather_spheres(simulation.comm(), table);
+  agree_after_root(simulation.comm(), [&] {
+    std::optional<AngleOfRepose> angle;
+    try {
+      angle = measure_angle_of_repose(simulation.deck().angle_of_repose, grains, picture);
+    } catch (const DeckError& error) {  // such as a camera inside the pile: the rest of the results is good
+      fmt::print(stderr, "repose: warning: no angle of repose: {}\n", error.what());
+    }
+    if (!angle) return;
+    summary.angle_of_repose_deg = angle->mean_deg;
+    summary.angle_of_repose_left_deg = angle->left_deg;
+    summary.angle_of_repose_right_deg = angle->right_deg;
+    summary.angle_of_repose_stderr_deg = angle->stderr_deg;
+  });
 }
 
 }  // namespace repose

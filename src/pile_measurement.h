@@ -9,6 +9,8 @@
 #include "deck/deck.h"
 #include "measurement/angle_of_repose.h"
 #include "output/particle_table.h"
+#include "output/summary.h"
+#include "simulation.h"
 
 namespace repose {
 
@@ -19,5 +21,8 @@ std::vector<Sphere> gather_spheres(const Communicator& comm, const ParticleTable
 /// and no picture, when there is no pile. For rank 0; FileError when the picture cannot be written.
 std::optional<AngleOfRepose> measure_angle_of_repose(const AngleOfReposeDeck& deck, std::span<const Sphere> grains,
                                                      const std::string& picture);
+
+/// Collective. Angle of repose and picture of the pile of this moment, in the summary.
+void summarise_pile(const Simulation& simulation, const std::string& picture, Summary& summary);
 
 }  // namespace repose

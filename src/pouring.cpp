@@ -157,11 +157,12 @@ void Pouring::enter(Flow& flow, Batch& batch) const {
 void Pouring::wait(const Flow& flow, std::int64_t due, double time) const {
   const double waited = time - flow.pour.due_time[static_cast<std::size_t>(flow.entered)];
   if (waited <= patience * static_cast<double>(flow.every) * timestep_) return;
+  const double since_start = time - static_cast<double>(flow.start) * timestep_;
   throw PhysicsError(fmt::format(
       "step {}: {}: {} particles find no room, the first of them for {:.3g} s: {} of the {} that are due have entered; "
-      "take a greater region, a higher velocity or a smaller rate",
+      "take a particle_rate of at most {:.3g} 1/s, a greater region or a higher velocity",
       static_cast<std::int64_t>(std::rint(time / timestep_)), flow.pour.block, due - flow.entered, waited, flow.entered,
-      due));
+      due, static_cast<double>(flow.entered) / since_start));
 }
 
 }  // namespace repose

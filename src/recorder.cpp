@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include "base/error.h"
+#include "cost.h"
 #include "incline.h"
 #include "measurement/discharged_mass.h"
 #include "measurement/energies.h"
@@ -183,8 +183,9 @@ void Recorder::write_series_row(const Simulation& simulation, const std::string&
   if (simulation.steps() == last_series_) return;
   last_series_ = simulation.steps();
   const Communicator& comm = simulation.comm();
-  const Energies e = measure_energies(comm, simulation.gravity(), simulation.materials(), simulation.particles(),
-                                      simulation.pairs(), simulation.walls(), simulation.wall_contacts());
+  const Energies e =
+      measure_energies(comm, simulation.scene().gravity(), simulation.materials(), simulation.particles(),
+                       simulation.pairs(), simulation.walls(), simulation.wall_contacts());
   const ContactCount contacts =
       count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.walls(), simulation.wall_contacts());
   const std::int64_t particles = inside(simulation);
@@ -260,62 +261,13 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
   last_progress_step_ = simulation.steps();
 }
 
-void Recorder::measure_pile(const Simulation& simulation, Summary& summary) {
-  const ParticleTable table =
-      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
-  const std::vector<Sphere> grains = gather_spheres(simulation.comm(), table);
-  agree_after_root(simulation.comm(), [&] {
-    std::optional<AngleOfRepose> angle;
-    try {
-      angle = measure_angle_of_repose(simulation.deck().angle_of_repose, grains, path("silhouette.png"));
-    } catch (const DeckError& error) {  // such as a camera inside the pile: the rest of the results is good
-      fmt::print(stderr, "repose: warning: no angle of repose: {}\n", error.what());
-    }
-    if (!angle) return;
-    summary.angle_of_repose_deg = angle->mean_deg;
-    summary.angle_of_repose_left_deg = angle->left_deg;
-    summary.angle_of_repose_right_deg = angle->right_deg;
-    summary.angle_of_repose_stderr_deg = angle->stderr_deg;
-  });
-}
-
-/// What the time loop has cost so far: time, by stage too, and memory.
-void Recorder::measure_cost(const Simulation& simulation, Summary& summary) const {
-  const Communicator& comm = simulation.comm();
-  summary.loop_wall_seconds = seconds_since(start_);
-  std::array<double, stage_names.size()> sum = simulation.clock().seconds();
-  std::array<double, stage_names.size()> longest = sum;
-  comm.sum_elements(std::span(sum.begin(), sum.end()));
-  comm.max_elements(std::span(longest.begin(), longest.end()));
-  for (std::size_t k = 0; k < sum.size(); ++k) {
-    summary.stages.push_back({stage_names[k], sum[k] / comm.size(), longest[k]});
-  }
-  summary.loop_cpu_seconds = comm.sum(static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC);
-  summary.particle_steps_per_cpu_second = particle_steps_ / summary.loop_cpu_seconds;
-
-  summary.list_rebuilds = simulation.counters().rebuilds;
-  summary.inner_selections = simulation.counters().inner_selections;
-  const auto inserted = static_cast<double>(simulation.inserted());
-  const auto per_particle = [&](std::size_t count) {
-    return static_cast<double>(comm.sum(static_cast<std::int64_t>(count))) / inserted;
-  };
-  summary.listed_pairs_per_particle = per_particle(simulation.pairs().listed());
-  summary.evaluated_pairs_per_particle = per_particle(simulation.pairs().lanes());
-
-  const auto ghosts = static_cast<std::int64_t>(simulation.particles().ghosts());
-  summary.ghosts = comm.sum(ghosts);
-  summary.most_ghosts_of_a_rank = comm.max(simulation.counters().peak_ghosts);
-
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  summary.memory_peak_bytes = comm.sum(std::int64_t{1024} * usage.ru_maxrss);
-  summary.memory_bytes_per_particle = per_particle(simulation.memory_bytes());
-}
-
 Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file) {
   const Communicator& comm = simulation.comm();
   Summary s;
-  measure_cost(simulation, s);
+  s.loop_wall_seconds = seconds_since(start_);
+  s.loop_cpu_seconds = comm.sum(static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC);
+  s.particle_steps_per_cpu_second = particle_steps_ / s.loop_cpu_seconds;
+  summarise_cost(simulation, s);
   write_snapshot_now(simulation);
   if (!phases_.empty()) write_series_row(simulation, phases_.back().name);
 
@@ -346,7 +298,8 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
     s.discharge_rate_kg_s = d.rate;
     s.plugged = d.plugged;
   }
-  if (simulation.deck().angle_of_repose.enabled && !s.plugged.value_or(false)) measure_pile(simulation, s);
+  if (simulation.deck().angle_of_repose.enabled && !s.plugged.value_or(false))
+    summarise_pile(simulation, path("silhouette.png"), s);
   if (surface_angle_) surface_angle_->summarise(s);
   if (onset_seen()) summarise_tilt_onset(simulation, read_file, *tilt_onset_->onset(), s);
   s.wall_seconds = seconds_since(start_);

@@ -58,8 +58,6 @@ class Recorder {
   void write_trace(const Simulation& simulation);
   void write_snapshot_now(const Simulation& simulation);
   void report_progress(const Simulation& simulation, const Phase& phase);
-  void measure_cost(const Simulation& simulation, Summary& summary) const;
-  void measure_pile(const Simulation& simulation, Summary& summary);
   std::int64_t inside(const Simulation& simulation) const;
   std::string path(const std::string& file) const { return options_.directory + "/" + file; }
 

@@ -31,23 +31,22 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       deck_(deck),
       level_(level),
       materials_(deck),
-      walls_(make_walls(deck, materials_, read_file)),
+      scene_(deck, make_walls(deck, materials_, read_file)),
       decomposition_(comm.size()),
-      ghosts_(comm),
-      gravity_(deck.gravity) {
+      ghosts_(comm) {
   particles_.periodic = Periodicity(deck_.domain);
   open_domain_ = particles_.periodic.open_bounds(deck_.domain);
   left_.named_particles.resize(deck_.exits.size());
   left_.named_mass.resize(deck_.exits.size());
-  Insertion insertion = insert_particles_of(deck_, walls_, read_file);
-  held_ = HeldParticles(deck_, insertion);
+  Insertion insertion = insert_particles_of(deck_, walls(), read_file);
+  scene_.hold(deck_, insertion);
   time_step_ = choose_time_step(deck_, materials_, smallest_radii(insertion, materials_.size()),
                                 expected_speed(deck_, insertion.now));
   const double longest = longest_skin(particles_.periodic, insertion.largest_radius());
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
   watch_ = SkinWatch({deck_.neighbours.inner_skin, horizon(inner_horizon_steps), 0.5 * longest},
                      {deck_.neighbours.skin, horizon(outer_horizon_steps), longest});
-  set_wall_skins();
+  scene_.set_wall_skins(deck_, watch_.inner().horizon, watch_.outer().horizon);
   planned_ = insertion.planned;
   mass_unit_ = MassUnit(planned_mass(insertion, materials_));
   sizes_ = std::move(insertion.sizes);
@@ -75,10 +74,10 @@ void Simulation::advance(std::int64_t steps) {
   for (std::int64_t k = 0; k < steps; ++k) {
     clock_.enter(Stage::integration);
     const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
-    const StepNotes notes = halves(level_, gravity_, dt, open_domain_, watch_.inner_marks(), particles_);
-    move_scene();
+    const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), particles_);
+    scene_.step(dt, particles_);
     if (notes.outside > parked_) count_leavers();
-    const bool skin_used_up = notes.skin_used_up || held_.skin_used_up(watch_.inner_marks(), particles_);
+    const bool skin_used_up = notes.skin_used_up || scene_.held().skin_used_up(watch_.inner_marks(), particles_);
     const ListState state = agreed_list_state(skin_used_up);
     const bool grows = steps_ + 1 == pouring_.next_step() && pour();
     renew_lists(grows ? ListState::outer_stale : state);
@@ -86,47 +85,15 @@ void Simulation::advance(std::int64_t steps) {
     ++steps_;
   }
   clock_.enter(Stage::integration);
-  step_second_half(level_, gravity_, dt, particles_);
-  held_.hold(particles_);
+  step_second_half(level_, scene_.gravity(), dt, particles_);
+  scene_.put_back(particles_);
   clock_.enter(Stage::output);
-}
-
-/// What moves by prescription, to the end of this step.
-void Simulation::move_scene() {
-  const double dt = time_step_.step;
-  held_.step(dt);
-  held_.hold(particles_);
-  for (Wall& wall : walls_) {
-    if (wall.motions.empty()) continue;
-    wall.motions.step();
-    place(wall, dt);
-  }
-  if (!tilt_.runs) return;
-  ++tilt_.steps;
-  gravity_ = turned(deck_.gravity, unit_vector(deck_.tilt.axis_direction), -tilt());
-}
-
-void Simulation::begin_phase(const std::string& name) {
-  held_.begin_phase(name);
-  for (Wall& wall : walls_) wall.motions.begin_phase(name);
-  const std::vector<std::string>& phases = deck_.tilt.phases;
-  tilt_.runs = deck_.tilt.enabled && (phases.empty() || std::find(phases.begin(), phases.end(), name) != phases.end());
-}
-
-/// Walls that travel have skins that last for as many steps as the particles' cover at present speed.
-void Simulation::set_wall_skins() {
-  for (std::size_t w = 0; w < walls_.size(); ++w) {
-    if (!walls_[w].travels) continue;
-    const double speed = greatest_speed(deck_.walls[w].motions, deck_.domain);
-    walls_[w].inner_skin = watch_.inner().horizon * speed;
-    walls_[w].outer_skin = watch_.outer().horizon * speed;
-  }
 }
 
 /// Whether particles enter at this step.
 bool Simulation::pour() {
   clock_.enter(Stage::lists);
-  entering_ = pouring_.enter(comm_, {steps_ + 1, deck_.run.seed, gravity_}, particles_, walls_);
+  entering_ = pouring_.enter(comm_, {steps_ + 1, deck_.run.seed, scene_.gravity()}, particles_, walls());
   return entering_.size() > 0;
 }
 
@@ -175,7 +142,7 @@ void Simulation::renew_lists(ListState state) {
 
 void Simulation::select_near() {
   pairs_.select_near(particles_, watch_.inner());
-  wall_contacts_.select_near(particles_, walls_, watch_.inner());
+  wall_contacts_.select_near(particles_, walls(), watch_.inner());
   watch_.inner_selected(particles_);
   inner_selected_at_ = steps_;
 }
@@ -192,9 +159,9 @@ void Simulation::count_leavers() {
 Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
   constexpr int moved = 1;
   constexpr int alarmed = 2;
-  const bool walls_travel = std::any_of(walls_.begin(), walls_.end(), [](const Wall& w) { return w.travels; });
-  const bool inner_too_old = walls_travel && steps_ + 1 - inner_selected_at_ >= inner_horizon_steps;
-  const bool outer_too_old = walls_travel && steps_ + 1 - outer_listed_at_ > outer_horizon_steps - inner_horizon_steps;
+  const bool inner_too_old = scene_.walls_travel() && steps_ + 1 - inner_selected_at_ >= inner_horizon_steps;
+  const bool outer_too_old =
+      scene_.walls_travel() && steps_ + 1 - outer_listed_at_ > outer_horizon_steps - inner_horizon_steps;
   const int here = !alarm_.empty() ? alarmed : inner_used_up || inner_too_old ? moved : 0;
   clock_.enter(Stage::agreement);
   const int worst = comm_.size() == 1 ? here : comm_.max(here);
@@ -213,7 +180,7 @@ void Simulation::rebuild_lists() {
   admit(memory);
   migrate(comm_, decomposition_, particles_, memory);
   set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
-  held_.list(particles_);
+  scene_.list_held(particles_);
   check_time_step();
   std::vector<double> reach = ghosts_.set_up(decomposition_, watch_.outer(), particles_);
   std::vector<IndexPair> near = near_pairs(particles_.record, reach, particles_.owned);
@@ -224,7 +191,7 @@ void Simulation::rebuild_lists() {
   add_lane_dummies(particles_);
   pairs_.build(particles_, near, memory.pairs);
   near = {};
-  wall_contacts_.build(particles_, walls_, reach, memory.walls);
+  wall_contacts_.build(particles_, walls(), reach, memory.walls);
   memory = {};
   watch_.outer_listed(particles_);
   outer_listed_at_ = steps_;
@@ -305,14 +272,14 @@ void Simulation::evaluate_forces(double dt) {
   clock_.enter(Stage::pair_contacts);
   evaluate(true);
   clock_.enter(Stage::wall_contacts);
-  alarm |= wall_contacts_.evaluate(level_, walls_, materials_, dt, max_overlap, particles_).any();
+  alarm |= wall_contacts_.evaluate(level_, walls(), materials_, dt, max_overlap, particles_).any();
   clock_.enter(Stage::ghosts);
   if (ghosts_on_their_way_) ghosts_.finish(particles_);
   ghosts_on_their_way_ = false;
   clock_.enter(Stage::pair_contacts);
   evaluate(false);
   if (alarm && alarm_.empty()) {
-    alarm_ = describe_alarm(particles_, pairs_, wall_contacts_, walls_, max_overlap, dt > 0.0 ? steps_ + 1 : 0);
+    alarm_ = describe_alarm(particles_, pairs_, wall_contacts_, walls(), max_overlap, dt > 0.0 ? steps_ + 1 : 0);
   }
 }
 
@@ -327,11 +294,6 @@ void Simulation::check_guards() const {
 
 std::size_t Simulation::memory_bytes() const {
   return particles_.bytes() + pairs_.bytes() + wall_contacts_.bytes() + watch_.bytes();
-}
-
-void Simulation::set_wall_present(const std::string& name, bool present) {
-  const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) { return w.name == name; });
-  if (wall != walls_.end()) wall->present = present;
 }
 
 std::optional<std::string> Simulation::take_warning() {

@@ -11,8 +11,8 @@
 #include "domain/decomposition.h"
 #include "domain/exits.h"
 #include "domain/ghost_exchange.h"
-#include "integration/held_particles.h"
 #include "integration/time_step.h"
+#include "moving_scene.h"
 #include "neighbours/pair_lists.h"
 #include "neighbours/skin_watch.h"
 #include "pouring.h"
@@ -52,23 +52,20 @@ class Simulation {
 
   /// Adds or removes a named wall from the next evaluation of the forces on. Contacts with a removed wall are
   /// forgotten.
-  void set_wall_present(const std::string& name, bool present);
+  void set_wall_present(const std::string& name, bool present) { scene_.set_wall_present(name, present); }
   /// Starts the motions and the tilt that belong to a phase, and stops the others.
-  void begin_phase(const std::string& name);
+  void begin_phase(const std::string& name) { scene_.begin_phase(name); }
 
   const Communicator& comm() const { return comm_; }
   const Deck& deck() const { return deck_; }
   const Particles& particles() const { return particles_; }
   const MaterialTable& materials() const { return materials_; }
-  const Vec3& gravity() const { return gravity_; }  ///< as it points now
-  /// Angle in rad by which the apparatus has tilted.
-  double tilt() const { return static_cast<double>(tilt_.steps) * time_step_.step * tilt_rate(); }
-  bool is_tilting() const { return tilt_.runs; }
+  const MovingScene& scene() const { return scene_; }
   VectorLevel vector_level() const { return level_; }
   const MassUnit& mass_unit() const { return mass_unit_; }
   const PairLists& pairs() const { return pairs_; }
   const WallContacts& wall_contacts() const { return wall_contacts_; }
-  const std::vector<Wall>& walls() const { return walls_; }
+  const std::vector<Wall>& walls() const { return scene_.walls(); }
   const TimeStep& time_step() const { return time_step_; }
   const RunCounters& counters() const { return counters_; }
   const ExitCount& left_here() const { return left_; }  ///< on this rank
@@ -93,9 +90,6 @@ class Simulation {
   enum class ListState { valid, inner_stale, outer_stale };
 
   void insert(const NewParticles& all);
-  double tilt_rate() const { return deck_.tilt.enabled ? deck_.tilt.angular_velocity : 0.0; }
-  void set_wall_skins();
-  void move_scene();
   bool pour();
   void admit(ContactMemory& memory);
   void rebuild_lists();
@@ -112,7 +106,7 @@ class Simulation {
   Deck deck_;
   VectorLevel level_;
   MaterialTable materials_;
-  std::vector<Wall> walls_;
+  MovingScene scene_;
   TimeStep time_step_;
   DomainDeck open_domain_;  ///< as Periodicity::open_bounds
   Particles particles_;
@@ -127,12 +121,6 @@ class Simulation {
   Decomposition decomposition_;
   GhostExchange ghosts_;
   bool ghosts_on_their_way_ = false;
-  Vec3 gravity_;
-  struct {
-    std::int64_t steps = 0;
-    bool runs = false;
-  } tilt_;
-  HeldParticles held_;
   std::int64_t outer_listed_at_ = 0;  ///< step
   std::int64_t inner_selected_at_ = 0;
   SkinWatch watch_{{}, {}};

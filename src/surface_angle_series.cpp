@@ -26,7 +26,7 @@ void SurfaceAngleSeries::sample(const Simulation& simulation) {
       collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
   const std::vector<Sphere> grains = gather_spheres(simulation.comm(), table);
   agree_after_root(simulation.comm(), [&] {
-    const auto angle = surface_angle(simulation.deck().surface_angle, simulation.gravity(), grains);
+    const auto angle = surface_angle(simulation.deck().surface_angle, simulation.scene().gravity(), grains);
     if (!angle) return;
     degrees_.push_back(*angle * 180.0 / pi);
     series_->append(std::vector<TimeSeries::Value>{simulation.steps(), simulation.time(), degrees_.back()});

@@ -125,7 +125,7 @@ Outcome run(const Communicator& comm, const std::vector<std::string>& overrides,
     }
   }
   outcome.rebuilds = s.counters().rebuilds;
-  outcome.gravity = s.gravity();
+  outcome.gravity = s.scene().gravity();
   return outcome;
 }
 

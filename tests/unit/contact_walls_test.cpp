@@ -13,6 +13,7 @@
 #include "support/contact_options.h"
 #include "support/draw.h"
 #include "support/levels.h"
+#include "support/meshes.h"
 #include "support/scenes.h"
 
 namespace repose::test {
@@ -208,15 +209,41 @@ WallDeck tilted_plate() {
   return deck;
 }
 
-/// A crowd that touches the faces and edges of two walls, moved about for some steps with its lists made anew at times.
-Setting after_some_steps(bool lanes, VectorLevel level, const Deck& deck = bare_deck({}, dt),
-                         const std::vector<MotionDeck>& motions = {}) {
-  Setting s(lanes, deck);
+using Walls = std::vector<Wall>;
+
+Walls funnel_and_plate(const std::vector<MotionDeck>& motions = {}) {
+  Walls walls;
   for (WallDeck wall : {funnel(), tilted_plate()}) {
     wall.motions = motions;
-    s.walls.push_back(make_wall(wall, 1));
-    s.walls.back().motions.begin_phase("any");
+    walls.push_back(make_wall(wall, 1));
+    walls.back().motions.begin_phase("any");
   }
+  return walls;
+}
+
+/// The same of triangles: twelve facets of the funnel, and a plate of many triangles in one plane.
+Walls meshes(const std::vector<MotionDeck>& motions = {}) {
+  Triangles cone = frustum(0.005, 0.0, 0.02, 0.02, 12);
+  const Triangles cylinder = frustum(0.02, 0.02, 0.02, 0.05, 12);
+  cone.insert(cone.end(), cylinder.begin(), cylinder.end());
+  Walls walls;
+  for (const Triangles& triangles : {cone, irregular_square(0.02, 20)}) {
+    WallDeck deck;
+    deck.name = "mesh";
+    deck.type = WallType::mesh;
+    deck.translate = {0.001, 0.002, walls.empty() ? 0.003 : -0.01};
+    deck.motions = motions;
+    walls.push_back(make_wall(deck, 1, [&](const std::string&) { return ascii_stl(triangles); }));
+    walls.back().motions.begin_phase("any");
+  }
+  return walls;
+}
+
+/// A crowd that touches the faces and edges of two walls, moved about for some steps with its lists made anew at times.
+Setting after_some_steps(bool lanes, VectorLevel level, const Deck& deck = bare_deck({}, dt),
+                         const Walls& walls = funnel_and_plate()) {
+  Setting s(lanes, deck);
+  s.walls = walls;
   Draw draw(5);
   while (s.particles.owned < 300) {
     const Vec3 position = {draw(-0.025, 0.025), draw(-0.025, 0.025), draw(-0.012, 0.05)};
@@ -245,11 +272,11 @@ MotionDeck turning() {
   return motion;
 }
 
-void expect_the_bits_of_the_search(const Deck& deck, const std::vector<MotionDeck>& motions = {}) {
-  const Setting searched = after_some_steps(false, best_vector_level(), deck, motions);
+void expect_the_bits_of_the_search(const Deck& deck, const Walls& walls = funnel_and_plate()) {
+  const Setting searched = after_some_steps(false, best_vector_level(), deck, walls);
   ASSERT_GT(searched.touching().size(), 100U);
   for (const VectorLevel level : levels_here()) {
-    const Setting s = after_some_steps(true, level, deck, motions);
+    const Setting s = after_some_steps(true, level, deck, walls);
     EXPECT_GT(s.contacts.in_lanes(), 150U);
     EXPECT_LT(s.contacts.in_lanes(), 300U);
     EXPECT_EQ(std::memcmp(s.particles.sum.data(), searched.particles.sum.data(), 300 * sizeof(ForceSum)), 0);
@@ -275,8 +302,13 @@ TEST(WallContactsInLanes, GiveTheBitsOfTheSearchWithAllOptions) {
 }
 
 TEST(WallContactsInLanes, GiveTheBitsOfTheSearchAtWallsThatTravel) {
-  expect_the_bits_of_the_search(bare_deck({}, dt), {turning()});
-  expect_the_bits_of_the_search(with_all_options(bare_deck({}, dt)), {turning()});
+  expect_the_bits_of_the_search(bare_deck({}, dt), funnel_and_plate({turning()}));
+  expect_the_bits_of_the_search(with_all_options(bare_deck({}, dt)), funnel_and_plate({turning()}));
+}
+
+TEST(WallContactsInLanes, GiveTheBitsOfTheSearchAtMeshes) {
+  expect_the_bits_of_the_search(bare_deck({}, dt), meshes());
+  expect_the_bits_of_the_search(bare_deck({}, dt), meshes({turning()}));
 }
 
 /// A grain of velocity -u at a wall at rest sees what a grain at rest sees at a wall of velocity u.

@@ -1,6 +1,7 @@
 #include "contact/wall_loop.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "contact/contact_law.h"
 #include "scene/sphere.h"
@@ -30,7 +31,7 @@ struct LaneWalls {
 }
 
 /// Lanes from `used` on, and parked particles, get a distance at which they do not touch.
-template <class FaceShape>
+template <bool may_move, class FaceShape>
 [[gnu::always_inline]] inline void touch_face(const FaceShape& face_in, const Placement* placement, std::size_t used,
                                               const ParticleRecord* records, const ContactBlock& block,
                                               LaneWalls& walls) {
@@ -38,8 +39,9 @@ template <class FaceShape>
   const auto lanes = static_cast<std::int64_t>(used);
   for (int k = 0; k < block_lanes; k += 4) {
     const QuadParticle p = gather(records, block.first + k);
-    BasicFaceTouch<Quad> at = touch(face, placement == nullptr ? p.position : placement->back(p.position));
-    if (placement != nullptr) at.normal = placement->turn(at.normal);
+    const bool has_travelled = may_move && placement != nullptr;
+    BasicFaceTouch<Quad> at = touch(face, has_travelled ? placement->back(p.position) : p.position);
+    if (has_travelled) at.normal = placement->turn(at.normal);
     const QuadInt lane = QuadInt{0, 1, 2, 3} + k;
     const QuadInt here = (lane < lanes) & (p.position.x < broadcast<Quad>(parking_distance));
     store(at.normal, walls.normal, k);
@@ -53,16 +55,17 @@ struct SeenFromWall {
   QuadVec3 spin;
 };
 
+template <bool may_move>
 [[gnu::always_inline]] inline SeenFromWall see_from(const SurfaceMotion* surface, const QuadParticle& p,
                                                     const Quad& distance, const QuadVec3& n) {
-  if (surface == nullptr) return {p.velocity, p.spin};
+  if (!may_move || surface == nullptr) return {p.velocity, p.spin};
   const auto turning = broadcast<Quad>(surface->angular_velocity);
   const QuadVec3 touched = p.position - distance * n;
   return {p.velocity - (broadcast<Quad>(surface->velocity) + cross(turning, touched)), p.spin - turning};
 }
 
 /// Returns the number of contacts deeper than the bound.
-template <class Law>
+template <class Law, bool may_move>
 [[gnu::always_inline]] inline std::int64_t evaluate_geometry(const WallLaw& law, const ParticleRecord* records,
                                                              const ContactBlock& block, const LaneWalls& walls,
                                                              LaneGeometry& contact, LaneBody& body) {
@@ -74,7 +77,7 @@ template <class Law>
     const QuadParticle p = gather(records, block.first + k);
     const Quad distance = load(walls.distance + k);
     const QuadVec3 n = load(walls.normal, k);
-    const SeenFromWall seen = see_from(law.surface, p, distance, n);
+    const SeenFromWall seen = see_from<may_move>(law.surface, p, distance, n);
     const Quad gap = p.radius - distance;
     const Quad overlap = gap > none ? gap : none;
     const Quad arm = p.radius - 0.5 * overlap;
@@ -95,28 +98,29 @@ template <class Law>
   return count(deep);
 }
 
-template <class Law>
+template <class Law, bool may_move>
 [[gnu::always_inline]] inline void evaluate_block(const WallLaw& law, const LaneWalls& walls,
                                                   const ParticleRecord* records, ContactBlock& block, ForceSum* sums,
                                                   ContactAlarms& alarms) {
   LaneGeometry contact;
   LaneBody body;
-  alarms.too_deep += evaluate_geometry<Law>(law, records, block, walls, contact, body);
+  alarms.too_deep += evaluate_geometry<Law, may_move>(law, records, block, walls, contact, body);
   const std::uint64_t difference = evaluate_law<Law>(law.pair, law.dt, contact, body, nullptr, block, sums);
   alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
 }
 
-template <class Law>
-[[gnu::always_inline]] inline ContactAlarms evaluate_body(const WallLaw& law, std::span<WallContact> contacts,
+template <class Law, bool may_move>
+[[gnu::always_inline]] inline ContactAlarms evaluate_body(const WallLaw& law_in, std::span<WallContact> contacts,
                                                           std::span<const std::int32_t> chosen,
                                                           const ParticleRecord* records, ForceSum* sums) {
+  const WallLaw law = law_in;  // a copy: nothing that the loop writes can be part of it
   ContactBlock block;
   LaneWalls walls;
   ContactAlarms alarms;
   for (std::size_t begin = 0; begin < chosen.size(); begin += block_lanes) {
     const auto lanes = chosen.subspan(begin, std::min<std::size_t>(block_lanes, chosen.size() - begin));
     gather_contacts(contacts, lanes, records, block, walls);
-    evaluate_block<Law>(law, walls, records, block, sums, alarms);
+    evaluate_block<Law, may_move>(law, walls, records, block, sums, alarms);
     for (std::size_t k = 0; k < lanes.size(); ++k) {
       contacts[static_cast<std::size_t>(lanes[k])].history = history(block, k);
     }
@@ -124,9 +128,11 @@ template <class Law>
   return alarms;
 }
 
-template <class Law, class FaceShape>
-[[gnu::always_inline]] inline ContactAlarms evaluate_face(const WallLaw& law, const FaceShape& face, FaceGroup& group,
-                                                          const ParticleRecord* records, ForceSum* sums) {
+template <class Law, bool may_move, class FaceShape>
+[[gnu::always_inline]] inline ContactAlarms evaluate_face(const WallLaw& law_in, const FaceShape& face,
+                                                          FaceGroup& group, const ParticleRecord* records,
+                                                          ForceSum* sums) {
+  const WallLaw law = law_in;
   LaneWalls walls;
   ContactAlarms alarms;
   for (std::size_t n = 0; n < group.blocks.size(); ++n) {
@@ -134,33 +140,46 @@ template <class Law, class FaceShape>
     if (n + 1 < group.blocks.size()) {
       for (const std::int32_t particle : group.blocks[n + 1].first) fetch_ahead(particle, records, sums);
     }
-    touch_face(face, law.placement, group.lanes - n * block_lanes, records, block, walls);
-    evaluate_block<Law>(law, walls, records, block, sums, alarms);
+    touch_face<may_move>(face, law.placement, group.lanes - n * block_lanes, records, block, walls);
+    evaluate_block<Law, may_move>(law, walls, records, block, sums, alarms);
   }
   return alarms;
+}
+
+/// Calls `body` with the law of the pair and whether the wall may move. That most walls rest is worth a loop of its
+/// own.
+template <class Body>
+auto with_wall_law(const WallLaw& law, const Body& body) {
+  return with_law(law.pair, [&](auto pair_law) {
+    if constexpr (!decltype(pair_law)::has_options) {
+      if (law.surface == nullptr) return body(pair_law, std::false_type{});
+    }
+    return body(pair_law, std::true_type{});
+  });
 }
 
 }  // namespace
 
 ContactAlarms evaluate_walls(VectorLevel level, const WallLaw& law, std::span<WallContact> contacts,
                              std::span<const std::int32_t> chosen, const ParticleRecord* records, ForceSum* sums) {
-  return with_law(law.pair, [&](auto pair_law) {
-    return at_level(
-        level, [&]() REPOSE_INLINE { return evaluate_body<decltype(pair_law)>(law, contacts, chosen, records, sums); });
+  return with_wall_law(law, [&](auto pair_law, auto may_move) {
+    return at_level(level, [&]() REPOSE_INLINE {
+      return evaluate_body<decltype(pair_law), may_move()>(law, contacts, chosen, records, sums);
+    });
   });
 }
 
 ContactAlarms evaluate_faces(VectorLevel level, const WallLaw& law, FaceGroup& group, const ParticleRecord* records,
                              ForceSum* sums) {
-  return std::visit(
-      [&](const auto& face) {
-        return with_law(law.pair, [&](auto pair_law) {
+  return with_wall_law(law, [&](auto pair_law, auto may_move) {
+    return std::visit(
+        [&](const auto& face) {
           return at_level(level, [&]() REPOSE_INLINE {
-            return evaluate_face<decltype(pair_law)>(law, face, group, records, sums);
+            return evaluate_face<decltype(pair_law), may_move()>(law, face, group, records, sums);
           });
-        });
-      },
-      group.face);
+        },
+        group.face);
+  });
 }
 
 }  // namespace repose

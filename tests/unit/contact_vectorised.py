@@ -13,7 +13,7 @@ import sys
 LEVELS = {"run_plain": "xmm", "run_avx2": "ymm", "run_avx512": "[yz]mm"}
 # The number of functions each loop is compiled to: one for the thesis's law and one for that with options, each for
 # every shape of a face.
-LOOPS = {"evaluate_pairs": 2, "evaluate_walls": 2, "evaluate_faces": 4}
+LOOPS = {"evaluate_pairs": 2, "evaluate_walls": 3, "evaluate_faces": 6}
 SKIP = 77
 
 

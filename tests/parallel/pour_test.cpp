@@ -160,7 +160,9 @@ TEST_F(PourTest, WaitsForRoomAndEndsWhenThereIsNone) {
     message = error.what();
   }
   EXPECT_NE(message.find("[[particles]] number 1 (pour): 49 particles find no room"), std::string::npos) << message;
-  EXPECT_NE(message.find("1 of the 50 that are due have entered; take a greater region"), std::string::npos) << message;
+  EXPECT_NE(message.find("1 of the 50 that are due have entered; take a particle_rate of at most 98 1/s"),
+            std::string::npos)
+      << message;
 }
 
 }  // namespace

@@ -82,13 +82,7 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options)
   });
   if (!deck.walls.empty()) wall_loads_.emplace(simulation, path("walls.csv"));
   if (deck.surface_angle.enabled) surface_angle_.emplace(simulation, path("surface_angle.csv"));
-  if (deck.tilt_onset.enabled) {
-    if (deck.tilt_onset.particle >= simulation.planned()) {
-      throw DeckError(fmt::format("measurement.tilt_onset.particle = {}: the deck has particles 0 to {}",
-                                  deck.tilt_onset.particle, simulation.planned() - 1));
-    }
-    tilt_onset_.emplace(deck.tilt_onset);
-  }
+  if (deck.tilt_onset.enabled) tilt_onset_.emplace(deck.tilt_onset);
   inside_ = inside(simulation);
   if (deck.output.trace) write_trace(simulation);
 }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "base/error.h"
 #include "output/snapshot_reader.h"
 #include "scene/sphere.h"
 
@@ -15,9 +18,14 @@ std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials, c
 }
 
 Insertion insert_particles_of(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file) {
-  return insert_particles(deck, walls, read_file, [&](const std::string& file) {
+  Insertion insertion = insert_particles(deck, walls, read_file, [&](const std::string& file) {
     return parse_snapshot(read_file(file), file, deck.materials);
   });
+  if (deck.tilt_onset.enabled && deck.tilt_onset.particle >= insertion.planned) {
+    throw DeckError(fmt::format("measurement.tilt_onset.particle = {}: the deck has particles 0 to {}",
+                                deck.tilt_onset.particle, insertion.planned - 1));
+  }
+  return insertion;
 }
 
 SmallestRadii smallest_radii(const Insertion& insertion, std::size_t materials) {

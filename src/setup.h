@@ -13,7 +13,8 @@ namespace repose {
 
 std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials, const ReadFile& read_file);
 
-/// What the deck brings in (scene/insertion.h), with snapshots read by the output's own reader.
+/// What the deck brings in (scene/insertion.h), with snapshots read by the output's own reader. DeckError also when a
+/// measurement asks for a particle that there is not.
 Insertion insert_particles_of(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file);
 
 /// Of all particles, present and planned.

@@ -86,6 +86,15 @@ class Incline(unittest.TestCase):
         self.check(self.onset("tilt.axis_direction=[-1, 2, 0]", "tilt.angular_velocity=-20 deg/s",
                               "pair.0.rolling_friction=0.05"), 0.05)
 
+    def test_a_particle_that_there_is_not_is_refused_before_anything_is_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            deck = folder + "/plate.toml"
+            with open(deck, "w") as file:
+                file.write(DECK)
+            done = program.call("check", deck, "--set", "measurement.tilt_onset.particle=1")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("measurement.tilt_onset.particle = 1: the deck has particles 0 to 0", done.stderr)
+
     def test_slides_at_the_angle_of_sliding_friction_when_it_cannot_turn(self):
         self.check(self.onset("particles.0.rotation_blocked=true"), 0.3)
 

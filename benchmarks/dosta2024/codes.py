@@ -6,7 +6,7 @@ import tomllib
 import h5py
 import numpy as np
 
-from inputs import DENSITY, FOLDER, drum_triangles, from_snapshot, grains, turned, with_ball, write_data, write_stl
+from inputs import FOLDER, drum_triangles, from_snapshot, grains, turned, with_ball, write_data, write_stl
 
 sys.path.insert(0, str(FOLDER.parent / "throughput"))
 import measure  # noqa: E402
@@ -43,10 +43,14 @@ def settled_silo(args, folder):
     return max(output.glob("run_*.hdf"))
 
 
+def log_of(output):
+    return output.with_name(output.name + ".out")
+
+
 def run_repose(args, deck, output, overrides):
     words = [word for value in overrides for word in ("--set", value)]
     command = [*measure.launcher(args.ranks), args.repose, "run", deck, "--output", output, *words]
-    return measure.timed([str(word) for word in command], output.with_suffix(".out"))
+    return measure.timed([str(word) for word in command], log_of(output))
 
 
 def repose(args, folder, output):
@@ -74,7 +78,7 @@ def liggghts(args, folder, output):
     words = [str(word) for key, value in values.items() for word in ("-var", key, value)]
     command = [*measure.launcher(args.ranks), args.liggghts, "-in", str(FOLDER / "liggghts" / f"{case}.liggghts"),
                "-log", str(output / "log"), *words]
-    return measure.timed(command, output.with_suffix(".out"))
+    return measure.timed(command, log_of(output))
 
 
 def write_inputs(args, case, folder, output, domain):

@@ -1,10 +1,13 @@
-"""What is compared: the columns over time that a run left behind."""
+"""What is compared: curves that a run left behind, each a name and its times (s) and values."""
 
 import csv
 import re
 
 import h5py
 import numpy as np
+
+ENERGIES = ("translational_energy_J", "rotational_energy_J")
+COLUMNS = {"KinEng": ENERGIES[0], "rotation": ENERGIES[1]}  # of the log of LIGGGHTS; the others keep their names
 
 
 def snapshots(folder):
@@ -16,37 +19,47 @@ def snapshots(folder):
 
 
 def repose_curves(case, folder):
-    """Columns over time; of the silo and of energies from series.csv, else from the snapshots."""
+    """The energies and what is left of the silo from series.csv, the rest from the snapshots."""
     with open(folder / "series.csv") as file:
         rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
     series = {key: np.array([row[key] for row in rows]) for key in rows[0]}
-    curves = {"series_time_s": series["time_s"], "translational_energy_J": series["translational_energy_J"],
-              "rotational_energy_J": series["rotational_energy_J"]}
+    curves = {key: (series["time_s"], series[key]) for key in ENERGIES}
     if case == "silo":
-        with h5py.File(max(folder.glob("run_*.hdf"))) as file:
-            mass = float(file["particles/mass"][0])
-        return {**curves, "time_s": series["time_s"],
-                "left": np.round(series["particles"][0] - series["discharged_mass_kg"] / mass)}
+        return {**curves, "left": (series["time_s"], left(folder, series))}
     states = list(snapshots(folder))
-    curves["time_s"] = np.array([time for time, _, _ in states])
-    if case == "penetration":
-        curves["height"] = np.array([float(x[names == "steel", 2][0]) for _, x, names in states])
-        return curves
-    for kind in ("M1", "M2"):
-        for quadrant, sign in (("upper", 1.0), ("lower", -1.0)):
-            curves[f"{quadrant}_{kind}"] = np.array(
-                [((names == kind) & (sign * x[:, 0] > 0.0) & (sign * x[:, 2] > 0.0)).sum() for _, x, names in states])
+    measured = {"height": height} if case == "penetration" else {
+        f"{quadrant}_{kind}": count_in(kind, sign)
+        for quadrant, sign in (("upper", 1.0), ("lower", -1.0)) for kind in ("M1", "M2")}
+    times = np.array([time for time, _, _ in states])
+    for name, value in measured.items():
+        curves[name] = times, np.array([value(position, names) for _, position, names in states])
     return curves
+
+
+def left(folder, series):
+    """Grains above the lip: all are of one mass."""
+    with h5py.File(min(folder.glob("run_*.hdf"))) as file:
+        mass = float(file["particles/mass"][0])
+    return np.round(series["particles"][0] - series["discharged_mass_kg"] / mass)
+
+
+def height(position, names):
+    return float(position[names == "steel", 2][0])
+
+
+def count_in(kind, sign):
+    """Grains of a kind in the quadrant x > 0, z > 0 of the drum's cross-section, or in the opposite one."""
+    return lambda x, names: int(((names == kind) & (sign * x[:, 0] > 0.0) & (sign * x[:, 2] > 0.0)).sum())
 
 
 def liggghts_curves(folder, dt):
     """The columns of the log, as far as the run has come."""
-    log = (folder / "log").read_text()
-    head, body = re.search(r"^\s*(Step Atoms.*?)\n(.*)", re.sub(r" +", " ", log), re.DOTALL | re.MULTILINE).groups()
-    names = head.split()
-    rows = [line.split() for line in body.splitlines()]
-    stop = next((i for i, row in enumerate(rows) if len(row) != len(names) or not row[0].isdigit()), len(rows))
-    table = dict(zip(names, np.array(rows[:stop], dtype=float).T))
-    curves = {"time_s": table["Step"] * dt, "series_time_s": table["Step"] * dt, "translational_energy_J": table["KinEng"],
-              "rotational_energy_J": table["rotation"], "wall_seconds": table["CPU"]}
-    return {**curves, **{name: table[name] for name in names[5:]}}
+    lines = [line.split() for line in (folder / "log").read_text().splitlines()]
+    begin = next(i for i, words in enumerate(lines) if words[:2] == ["Step", "Atoms"])
+    rows = []
+    for words in lines[begin + 1:]:
+        if len(words) != len(lines[begin]) or not words[0].isdigit():
+            break
+        rows.append([float(word) for word in words])
+    table = dict(zip(lines[begin], np.array(rows).T))
+    return {COLUMNS.get(name, name): (table["Step"] * dt, values) for name, values in table.items()}

@@ -15,7 +15,6 @@ import curves
 import inputs
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ENERGIES = ("translational_energy_J", "rotational_energy_J")
 
 
 def arguments():
@@ -58,14 +57,13 @@ def machine():
     return {key: facts[key].strip() for key in ("Model name", "CPU(s)") if key in facts}
 
 
-def difference(ours, theirs, time_key, key):
+def difference(ours, theirs):
     """Of two curves over the time that both cover, at our times."""
-    shared = ours[time_key] <= theirs[time_key][-1] * (1.0 + 1e-9)
-    mine = ours[key][shared]
-    other = np.interp(ours[time_key][shared], theirs[time_key], theirs[key])
-    return {"until_s": float(ours[time_key][shared][-1]), "repose_at_end": float(mine[-1]),
-            "liggghts_at_end": float(other[-1]), "greatest_difference": float(np.max(np.abs(mine - other))),
-            "greatest_value": float(np.max(np.abs(other)))}
+    (time_s, values), (their_time, their_values) = ours, theirs
+    shared = time_s <= their_time[-1] * (1.0 + 1e-9)
+    mine, other = values[shared], np.interp(time_s[shared], their_time, their_values)
+    return {"until_s": float(time_s[shared][-1]), "repose_at_end": float(mine[-1]), "liggghts_at_end": float(other[-1]),
+            "greatest_difference": float(np.max(np.abs(mine - other))), "greatest_value": float(np.max(np.abs(other)))}
 
 
 def cost(folder, steps, particles):
@@ -81,26 +79,26 @@ def compare(args):
     dt, particles = summary["timestep_s"], summary["particles"]["inserted"]
     ours = curves.repose_curves(args.case, folder / "repose")
     theirs = curves.liggghts_curves(folder / "liggghts", dt)
-    measured = [key for key in ours if key not in (*ENERGIES, "time_s", "series_time_s")]
-    differences = {key: difference(ours, theirs, "time_s", key) for key in measured}
-    differences |= {key: difference(ours, theirs, "series_time_s", key) for key in ENERGIES}
     costs = {"repose": cost(folder / "repose", summary["steps"], particles),
-             "liggghts": cost(folder / "liggghts", round(float(theirs["time_s"][-1]) / dt), particles)}
+             "liggghts": cost(folder / "liggghts", int(theirs["Step"][1][-1]), particles)}
+    shared = [key for key in ours if key in theirs]
     results = {"case": name, "date": time.strftime("%Y-%m-%d"), "machine": machine(), "versions": codes.versions(args),
-               "particles": particles, "time_step_s": dt, "state_hash": summary["state_hash"],
-               "lists": {"repose": summary["lists"]}, "cost": costs, "differences": differences,
-               "curves": {"repose": thinned(ours), "liggghts": thinned(theirs)}}
+               "particles": particles, "time_step_s": dt, "state_hash": summary["state_hash"], "cost": costs,
+               "differences": {key: difference(ours[key], theirs[key]) for key in shared},
+               "curves": {"repose": {key: thinned(*ours[key]) for key in ours},
+                          "liggghts": {key: thinned(*theirs[key]) for key in shared}}}
     path = args.json or inputs.FOLDER / "results" / f"{name}.json"
-    path.write_text(json.dumps(results, indent=1) + "\n")
+    lines = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in results.items()]
+    path.write_text("{\n" + ",\n".join(lines) + "\n}\n")
     report(results)
-    plot(folder / f"{name}.png", ours, theirs, measured or list(ENERGIES))
+    plot(folder / f"{name}.png", ours, theirs, [key for key in shared if key not in curves.ENERGIES])
     print("results in", path, "and a plot in", folder / f"{name}.png")
 
 
-def thinned(columns, most=201):
-    """At most so many rows of each column, in seven digits."""
-    step = {key: -(-len(values) // most) for key, values in columns.items()}
-    return {key: [float(f"{v:.7g}") for v in values[::step[key]]] for key, values in columns.items()}
+def thinned(time_s, values, most=201):
+    """At most so many points of a curve, in seven digits."""
+    step = -(-len(values) // most)
+    return {"time_s": [float(f"{t:.7g}") for t in time_s[::step]], "value": [float(f"{v:.7g}") for v in values[::step]]}
 
 
 def report(results):
@@ -118,9 +116,8 @@ def plot(path, ours, theirs, keys):
     from matplotlib import pyplot
     figure, axes = pyplot.subplots()
     for key in keys:
-        time_key = "series_time_s" if key in ENERGIES else "time_s"
-        (line,) = axes.plot(ours[time_key], ours[key], label=f"{key}, repose")
-        axes.plot(theirs[time_key], theirs[key], "--", color=line.get_color(), label=f"{key}, LIGGGHTS")
+        (line,) = axes.plot(*ours[key], label=f"{key}, repose")
+        axes.plot(*theirs[key], "--", color=line.get_color(), label=f"{key}, LIGGGHTS")
     axes.set_xlabel("time in s")
     axes.legend()
     figure.savefig(path, dpi=120)

@@ -96,5 +96,5 @@ def write_inputs(args, case, folder, output, domain):
     write_data(output / "grains.data", (domain["min"], domain["max"]), *state)
 
 
-def versions(args):
-    return {"repose": peers.version("repose", args.repose), "liggghts": peers.version("liggghts-debian", args.liggghts)}
+def version(args):
+    return peers.version("liggghts-debian", args.liggghts)

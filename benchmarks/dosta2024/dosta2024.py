@@ -82,7 +82,7 @@ def compare(args):
     costs = {"repose": cost(folder / "repose", summary["steps"], particles),
              "liggghts": cost(folder / "liggghts", int(theirs["Step"][1][-1]), particles)}
     shared = [key for key in ours if key in theirs]
-    results = {"case": name, "date": time.strftime("%Y-%m-%d"), "machine": machine(), "versions": codes.versions(args),
+    results = {"case": name, "date": time.strftime("%Y-%m-%d"), "machine": machine(), "versions": {"repose": summary["build"], "liggghts": codes.version(args)},
                "particles": particles, "time_step_s": dt, "state_hash": summary["state_hash"], "cost": costs,
                "differences": {key: difference(ours[key], theirs[key]) for key in shared},
                "curves": {"repose": {key: thinned(*ours[key]) for key in ours},

@@ -28,8 +28,9 @@ def silo_points(orifice):
 def silo_overrides(args):
     """The silo's other orifice, material and number of grains, as key=value."""
     points = silo_points(args.orifice)
-    return [f"wall.silo.points={points}", f"wall.lid.centre=[0,0,{LIP[args.orifice]}]", f"wall.lid.radius={args.orifice}",
-            f"measurement.discharge.orifice_height={LIP[args.orifice]}", f"time.step={STEP[args.material]}"]
+    return [f"wall.silo.points={points}", f"wall.lid.centre=[0,0,{LIP[args.orifice]}]",
+            f"wall.lid.radius={args.orifice}", f"measurement.discharge.orifice_height={LIP[args.orifice]}",
+            f"time.step={STEP[args.material]}"]
 
 
 def settled_silo(args, folder):

@@ -82,7 +82,8 @@ def compare(args):
     costs = {"repose": cost(folder / "repose", summary["steps"], particles),
              "liggghts": cost(folder / "liggghts", int(theirs["Step"][1][-1]), particles)}
     shared = [key for key in ours if key in theirs]
-    results = {"case": name, "date": time.strftime("%Y-%m-%d"), "machine": machine(), "versions": {"repose": summary["build"], "liggghts": codes.version(args)},
+    results = {"case": name, "date": time.strftime("%Y-%m-%d"), "machine": machine(),
+               "versions": {"repose": summary["build"], "liggghts": codes.version(args)},
                "particles": particles, "time_step_s": dt, "state_hash": summary["state_hash"], "cost": costs,
                "differences": {key: difference(ours[key], theirs[key]) for key in shared},
                "curves": {"repose": {key: thinned(*ours[key]) for key in ours},
@@ -103,7 +104,8 @@ def thinned(time_s, values, most=201):
 
 def report(results):
     for key, d in results["differences"].items():
-        print(f"{key:24s} until {d['until_s']:.4g} s: repose {d['repose_at_end']:.6g}, LIGGGHTS {d['liggghts_at_end']:.6g}, "
+        print(f"{key:24s} until {d['until_s']:.4g} s: repose {d['repose_at_end']:.6g}, "
+              f"LIGGGHTS {d['liggghts_at_end']:.6g}, "
               f"greatest difference {d['greatest_difference']:.3g} of {d['greatest_value']:.3g}")
     for code, c in results["cost"].items():
         print(f"{code:10s} {c['steps']} steps in {c['cpu_seconds']:.0f} cpu-seconds: "

@@ -18,9 +18,10 @@ Hdf5FileHandle open_image(const std::string& bytes, const std::string& file) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are reported by exceptions, once
   const Hdf5Properties access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_fapl_core(access.get(), increment, false);
-  std::string image = bytes;  // HDF5 asks for memory it could write to
+  std::string image = bytes;                   // HDF5 asks for memory it could write to
+  const char* const name = "/dev/null/image";  // HDF5 refuses the name of a file that is there; this can be none
   H5Pset_file_image(access.get(), image.data(), image.size());
-  return Hdf5FileHandle(check_hdf5(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.get()), file, "read as a snapshot"));
+  return Hdf5FileHandle(check_hdf5(H5Fopen(name, H5F_ACC_RDONLY, access.get()), file, "read as a snapshot"));
 }
 
 template <class T>

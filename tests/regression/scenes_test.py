@@ -2,10 +2,12 @@
 
 Usage: scenes_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 
-Each line of SCENES is a test: a deck of the input folder, and what reduces it to seconds.
+Each line of SCENES and of DOSTA2024 is a test: a deck of the input folder or of benchmarks/dosta2024, and what reduces
+it to seconds.
 """
 
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -26,9 +28,18 @@ SCENES = [
     ("pour_quick.toml", ("phase.pour.max_time=30 ms",)),
 ]
 
+DOSTA2024 = [
+    ("penetration.toml", ("phase.impact.time=0.1 ms", "particles.1.first=[0,0,-0.046]")),  # the ball touches the bed
+    ("drum.toml", ("phase.turn.time=0.1 ms",)),
+    ("drum_mesh.toml", ("phase.turn.time=0.1 ms",)),
+    ("silo.toml", ("particles.0.count=2000", "phase.settle.min_time=1 ms", "phase.settle.max_time=1.5 ms",
+                   "phase.discharge.time=0.6 ms")),
+]
+
 
 class Scenes(unittest.TestCase):
     program = None
+    dosta2024 = None  # folder of its decks and of what they read
 
     def compare(self, deck, overrides):
         with tempfile.TemporaryDirectory() as folder:
@@ -57,11 +68,11 @@ class Scenes(unittest.TestCase):
             self.assertEqual(second["particles"]["inserted"], first["particles"]["inside"])
 
 
-def add_test(deck, overrides):
+def add_test(deck, overrides, prefix="", folder=lambda: os.path.join(Scenes.program.source, "input")):
     def test(self):
-        self.compare(self.program.deck(deck), overrides)
+        self.compare(os.path.join(folder(), deck), overrides)
 
-    name = "test_" + os.path.splitext(deck)[0]
+    name = "test_" + prefix + os.path.splitext(deck)[0]
     while hasattr(Scenes, name):
         name += "_"
     setattr(Scenes, name, test)
@@ -69,7 +80,12 @@ def add_test(deck, overrides):
 
 for scene in SCENES:
     add_test(*scene)
+for scene in DOSTA2024:
+    add_test(*scene, prefix="dosta2024_", folder=lambda: Scenes.dosta2024)
 
 if __name__ == "__main__":
     Scenes.program = Program(*sys.argv[1:4])
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    benchmark = os.path.join(Scenes.program.source, "benchmarks", "dosta2024", "dosta2024.py")
+    with tempfile.TemporaryDirectory() as Scenes.dosta2024:
+        subprocess.run([sys.executable, benchmark, "prepare", "--work", Scenes.dosta2024], check=True)
+        unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -59,7 +59,7 @@ TEST_F(SnapshotTest, ReadsBackWhatWasWritten) {
   materials[0].name = "steel";
   materials[1].name = "wood";
   materials[2].name = "glass";
-  const NewParticles particles = parse_snapshot(bytes, "back.hdf", materials);
+  const NewParticles particles = parse_snapshot(bytes, folder_ / "back.hdf", materials);  // as from the deck's folder
   const Communicator alone(MPI_COMM_SELF);
   const ParticleTable table = sample_table(alone, 100);
   ASSERT_EQ(particles.size(), 100U);

@@ -41,7 +41,7 @@ template <class Law>
 [[gnu::always_inline]] inline std::uint64_t evaluate_law(const PairParameters& pair_in, double dt,
                                                          const LaneGeometry& lanes, const LaneBody& a,
                                                          const LaneBody* b, ContactBlock& block, ForceSum* sums) {
-  const PairParameters pair = pair_in;  // a copy: its members cannot be what the loops write
+  const typename Law::Parameters pair = pair_in;  // a copy: its members cannot be what the loops write
   LaneLaw law;
   for (int k = 0; k < block_lanes; k += 4) {
     const BasicContactGeometry<Quad> contact = lanes.get(k);

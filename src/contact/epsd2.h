@@ -21,7 +21,8 @@ template <class Real>
 
 /// The share of the trial moment that the limit leaves; `size` (N m) is its length.
 template <class Real>
-[[gnu::always_inline]] inline Real rolling_limit(const PairParameters& pair, const BasicContactGeometry<Real>& contact,
+[[gnu::always_inline]] inline Real rolling_limit(const ContactParameters& pair,
+                                                 const BasicContactGeometry<Real>& contact,
                                                  const std::type_identity_t<Real>& normal_force,
                                                  const std::type_identity_t<Real>& size) {
   const Real limit = pair.rolling_friction * magnitude(normal_force) * contact.radius_eff;

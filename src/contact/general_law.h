@@ -10,6 +10,7 @@ namespace repose {
 /// The contact law with the options of [contact] and time.integrator (docs/theory.md, "Options"). They are the same for
 /// all lanes, so that their branches cost little beside the roots and divisions.
 struct GeneralLaw {
+  using Parameters = PairParameters;
   static constexpr bool has_options = true;
 
   /// The normal to which velocities refer. `apart` (m) is from the second body to the first, `velocity` (m/s) the

@@ -27,7 +27,7 @@ template <class Real>
 /// sqrt(S m_eff) with S_n = 2 E_eff a and S_t = k_t, where a is the contact radius.
 template <class Real>
 [[gnu::always_inline]] inline BasicContactStiffness<Real> hertz_stiffness(
-    const PairParameters& pair, const BasicContactGeometry<Real>& contact,
+    const ContactParameters& pair, const BasicContactGeometry<Real>& contact,
     const std::type_identity_t<Real>& contact_radius) {
   constexpr double four_thirds = 4.0 / 3.0;
   constexpr double minus_two_sqrt_five_sixths = -1.8257418583505538;

@@ -25,7 +25,7 @@ struct BasicSlidingLimit {
 
 /// `length` (m) is that of the trial spring.
 template <class Real>
-[[gnu::always_inline]] inline BasicSlidingLimit<Real> sliding_limit(const PairParameters& pair,
+[[gnu::always_inline]] inline BasicSlidingLimit<Real> sliding_limit(const ContactParameters& pair,
                                                                     const BasicContactStiffness<Real>& k,
                                                                     const std::type_identity_t<Real>& normal_force,
                                                                     const std::type_identity_t<Real>& length) {

@@ -95,7 +95,7 @@ template <class Law>
 [[gnu::always_inline]] inline void evaluate_velocities(const PairParameters& pair_in, double dt, const LanePairs& pairs,
                                                        const LaneBody& first, const LaneBody& second,
                                                        LaneGeometry& contact) {
-  const PairParameters pair = pair_in;
+  const typename Law::Parameters pair = pair_in;
   for (int k = 0; k < block_lanes; k += 4) {
     const QuadVec3 n = load(pairs.one_over_distance + k) * load(pairs.apart, k);
     const QuadVec3 v = load(pairs.velocity, k);

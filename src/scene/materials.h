@@ -15,8 +15,8 @@ struct Material {
   double density;  ///< kg/m3
 };
 
-/// What the contact laws need to know of two materials that meet.
-struct PairParameters {
+/// What the contact law of the thesis needs to know of two materials that meet.
+struct ContactParameters {
   double youngs_modulus_eff = 0.0;        ///< E_eff, Pa (thesis eq. 2.11)
   double shear_modulus_eff = 0.0;         ///< G_eff, Pa (thesis eq. 2.12)
   double damping_ratio = 0.0;             ///< beta, not positive (thesis eq. 2.10, or scene/damping.h)
@@ -25,10 +25,14 @@ struct PairParameters {
   double rolling_friction = 0.0;          ///< mu_r
   double density_first = 0.0;             ///< kg/m3, of the particle with the lower id; of a held one beyond measure
   double density_second = 0.0;            ///< kg/m3, unused at walls
-  ContactDeck options;                    ///< of the deck, the same for all pairs
-  bool synchronised = false;              ///< velocities belong to the normal of half a step ago
-  double hooke_stiffness = 0.0;           ///< k_n of Hooke's law, N/m
-  double hooke_tangential_ratio = 0.0;    ///< k_t / k_n of Hooke's law
+};
+
+/// The same with what the options need.
+struct PairParameters : ContactParameters {
+  ContactDeck options;                  ///< of the deck, the same for all pairs
+  bool synchronised = false;            ///< velocities belong to the normal of half a step ago
+  double hooke_stiffness = 0.0;         ///< k_n of Hooke's law, N/m
+  double hooke_tangential_ratio = 0.0;  ///< k_t / k_n of Hooke's law
 };
 
 /// Whether the contact law is that of the thesis, with none of the options.

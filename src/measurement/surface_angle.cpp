@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "measurement/clusters.h"
+#include "scene/wall_shapes.h"
 
 namespace repose {
 namespace {
@@ -23,8 +24,6 @@ std::vector<Sphere> without_flying(std::span<const Sphere> grains) {
   }
   return bed;
 }
-
-Vec3 unit(const Vec3& v) { return (1.0 / norm(v)) * v; }
 
 /// Slope of the straight line nearest to the points (least squares).
 double slope_of(const std::map<int, Vec3>& points) {
@@ -44,8 +43,10 @@ double slope_of(const std::map<int, Vec3>& points) {
 std::optional<double> surface_angle(const SurfaceAngleDeck& deck, const Vec3& gravity, std::span<const Sphere> grains) {
   constexpr std::size_t least_columns = 4;
   if (grains.empty()) return {};
-  const Vec3 axis = unit(deck.axis_direction);
-  const Vec3 up = unit(dot(gravity, axis) * axis - gravity);
+  const Vec3 axis = unit_vector(deck.axis_direction);
+  const Vec3 against_gravity = dot(gravity, axis) * axis - gravity;
+  if (!(norm(against_gravity) > 0.0)) return {};
+  const Vec3 up = unit_vector(against_gravity);
   const Vec3 across = cross(axis, up);
   const std::vector<Sphere> bed = without_flying(grains);
   double mean_radius = 0.0;

@@ -5,7 +5,6 @@
 
 #include "base/math.h"
 #include "phases.h"
-#include "setup.h"
 
 namespace repose {
 namespace {
@@ -44,18 +43,11 @@ std::optional<double> onset_of(const Communicator& comm, const Deck& deck, const
 }
 
 /// tan of the angle at which the particle should begin to move on the plain material.
-double friction_of(const Deck& deck, const MaterialTable& materials, const Insertion& insertion) {
-  const std::int64_t id = deck.tilt_onset.particle;
-  const auto after = std::upper_bound(insertion.block_begin.begin(), insertion.block_begin.end(), id);
-  const ParticlesDeck& block = deck.particles[static_cast<std::size_t>(after - insertion.block_begin.begin()) - 1];
-  const NewParticles& now = insertion.now;
-  const auto found =
-      std::find(now.id.begin(), now.id.end(), id);  // not there: it is poured, and its block has one material
-  const int material = found == now.id.end() ? materials.index_of(block.material)
-                                             : now.material[static_cast<std::size_t>(found - now.id.begin())];
-  const PairParameters& pair = materials.pair(static_cast<std::size_t>(material),
-                                              static_cast<std::size_t>(materials.index_of(deck.tilt_onset.against)));
-  return block.rotation_blocked ? pair.sliding_friction : pair.rolling_friction;
+double friction_of(const Simulation& simulation, const TiltOnset& onset) {
+  const MaterialTable& materials = simulation.materials();
+  const auto against = static_cast<std::size_t>(materials.index_of(simulation.deck().tilt_onset.against));
+  const PairParameters& pair = materials.pair(onset.material(), against);
+  return onset.cannot_turn() ? pair.sliding_friction : pair.rolling_friction;
 }
 
 }  // namespace
@@ -66,7 +58,10 @@ void sample_tilt_onset(const Simulation& simulation, TiltOnset& onset) {
   }
 }
 
-void summarise_tilt_onset(const Simulation& simulation, const ReadFile& read_file, double onset, Summary& summary) {
+void summarise_tilt_onset(const Simulation& simulation, const ReadFile& read_file, const TiltOnset& watch,
+                          Summary& summary) {
+  if (!watch.onset()) return;
+  const double onset = *watch.onset();
   const Deck& deck = simulation.deck();
   const auto add = [&](double rate, double angle) {
     summary.tilt_onsets.push_back({std::fabs(rate) / degree, angle / degree});
@@ -80,8 +75,7 @@ void summarise_tilt_onset(const Simulation& simulation, const ReadFile& read_fil
     at_rest = extrapolated_onset(onset, *again, slower);
   }
   summary.tilt_onset_deg = at_rest / degree;
-  const Insertion insertion = insert_particles_of(deck, simulation.walls(), read_file);
-  summary.tilt_onset_excess_deg = (at_rest - std::atan(friction_of(deck, simulation.materials(), insertion))) / degree;
+  summary.tilt_onset_excess_deg = (at_rest - std::atan(friction_of(simulation, watch))) / degree;
 }
 
 }  // namespace repose

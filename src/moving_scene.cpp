@@ -44,7 +44,7 @@ void MovingScene::step(double dt, Particles& particles) {
   if (!tilts_) return;
   ++tilt_steps_;
   tilt_angle_ = static_cast<double>(tilt_steps_) * dt * tilt_.angular_velocity;
-  gravity_ = turned(gravity_at_start_, unit_vector(tilt_.axis_direction), -tilt_angle_);
+  gravity_ = turned(gravity_at_start_, unit_vector(tilt_.axis_direction), sin_cos_reproducible(-tilt_angle_));
 }
 
 }  // namespace repose

@@ -12,7 +12,10 @@
 
 namespace repose {
 
-std::vector<Sphere> gather_spheres(const Communicator& comm, const ParticleTable& table) {
+std::vector<Sphere> gather_grains(const Simulation& simulation) {
+  const Communicator& comm = simulation.comm();
+  const ParticleTable table =
+      collect_particles(comm, simulation.materials(), simulation.particles(), simulation.planned());
   const std::vector<double> position = comm.gather(table.position);
   const std::vector<double> radius = comm.gather(table.radius);
   std::vector<Sphere> grains(radius.size());
@@ -41,9 +44,7 @@ std::optional<AngleOfRepose> measure_angle_of_repose(const AngleOfReposeDeck& de
 }
 
 void summarise_pile(const Simulation& simulation, const std::string& picture, Summary& summary) {
-  const ParticleTable table =
-      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
-  const std::vector<Sphere> grains = gather_spheres(simulation.comm(), table);
+  const std::vector<Sphere> grains = gather_grains(simulation);
   agree_after_root(simulation.comm(), [&] {
     std::optional<AngleOfRepose> angle;
     try {

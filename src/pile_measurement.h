@@ -8,14 +8,13 @@
 #include "comm/communicator.h"
 #include "deck/deck.h"
 #include "measurement/angle_of_repose.h"
-#include "output/particle_table.h"
 #include "output/summary.h"
 #include "simulation.h"
 
 namespace repose {
 
-/// Collective. All grains on rank 0, in the order of their ids; nothing elsewhere.
-std::vector<Sphere> gather_spheres(const Communicator& comm, const ParticleTable& table);
+/// Collective. All grains of this moment on rank 0, in the order of their ids; nothing elsewhere.
+std::vector<Sphere> gather_grains(const Simulation& simulation);
 
 /// The angle of repose of the pile among `grains` as the deck asks for it, with its picture in `picture` (PNG). Empty,
 /// and no picture, when there is no pile. For rank 0; FileError when the picture cannot be written.

@@ -295,7 +295,7 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
   if (simulation.deck().angle_of_repose.enabled && !s.plugged.value_or(false))
     summarise_pile(simulation, path("silhouette.png"), s);
   if (surface_angle_) surface_angle_->summarise(s);
-  if (onset_seen()) summarise_tilt_onset(simulation, read_file, *tilt_onset_->onset(), s);
+  if (tilt_onset_) summarise_tilt_onset(simulation, read_file, *tilt_onset_, s);
   s.wall_seconds = seconds_since(start_);
   s.particle_steps_per_second = particle_steps_ / s.wall_seconds;
   s.build = options_.build;

@@ -6,7 +6,6 @@
 #include "base/math.h"
 #include "measurement/surface_angle.h"
 #include "output/agreement.h"
-#include "output/collect_particles.h"
 #include "phases.h"
 #include "pile_measurement.h"
 
@@ -22,9 +21,7 @@ SurfaceAngleSeries::SurfaceAngleSeries(const Simulation& simulation, const std::
 }
 
 void SurfaceAngleSeries::sample(const Simulation& simulation) {
-  const ParticleTable table =
-      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
-  const std::vector<Sphere> grains = gather_spheres(simulation.comm(), table);
+  const std::vector<Sphere> grains = gather_grains(simulation);
   agree_after_root(simulation.comm(), [&] {
     const auto angle = surface_angle(simulation.deck().surface_angle, simulation.scene().gravity(), grains);
     if (!angle) return;

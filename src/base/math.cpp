@@ -68,6 +68,11 @@ SineCosine sin_cos_reproducible(double angle) {
   const double sine = x + (x * sine_tail + rest);
   const double near_one = 1.0 - 0.5 * x2;
   const double cosine = near_one + (((1.0 - near_one) - 0.5 * x2) - (0.5 * x2 * cosine_tail + x * rest));
+  return turned_by_quarters({sine, cosine}, quarters);
+}
+
+SineCosine turned_by_quarters(const SineCosine& angle, double quarters) {
+  const auto [sine, cosine] = angle;
   switch (static_cast<std::int64_t>(quarters) & 3) {
     case 0:
       return {sine, cosine};

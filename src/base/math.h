@@ -23,4 +23,7 @@ struct SineCosine {
 /// error is below 1e-16; by arithmetic only.
 SineCosine sin_cos_reproducible(double angle);
 
+/// Sine and cosine of an angle that is so many right angles greater, exactly.
+SineCosine turned_by_quarters(const SineCosine& angle, double quarters);
+
 }  // namespace repose

@@ -9,7 +9,6 @@
 namespace repose {
 namespace {
 
-constexpr double Vec3::*along[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 constexpr auto axis_names = enumerators(Axis{});
 constexpr auto face_names = enumerators(DomainFace{});
 
@@ -24,7 +23,7 @@ void check_periodic(const Deck& deck, Axis axis, DeckErrors& errors) {
   if (std::count(deck.domain.periodic.begin(), deck.domain.periodic.end(), axis) > 1) {
     errors.add("domain.periodic", fmt::format("\"{}\" is given twice", name));
   }
-  if (deck.gravity.*along[index(axis)] != 0.0 && std::isnan(deck.time.expected_speed)) {
+  if (deck.gravity.*component(axis) != 0.0 && std::isnan(deck.time.expected_speed)) {
     errors.add(
         "domain.periodic",
         fmt::format("gravity along {0} is not zero, so the fall along the periodic direction {0} has no end; set "
@@ -54,7 +53,7 @@ void check_exit(const Deck& deck, std::size_t i, DeckErrors& errors) {
   }
   for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
     if (axis == across) continue;
-    const double Vec3::*a = along[index(axis)];
+    const double Vec3::*a = component(axis);
     if (exit.min.*a < exit.max.*a && exit.min.*a < deck.domain.max.*a && exit.max.*a > deck.domain.min.*a) continue;
     errors.add(section + ".max", fmt::format("from {} to {} in {} is no part of the domain's face", exit.min.*a,
                                              exit.max.*a, axis_names[index(axis)]));

@@ -27,8 +27,7 @@ void check_phase_names(const std::string& section, const std::vector<std::string
 
 /// Whether a motion takes the images of a body along: it must not move it in a periodic direction, nor turn it out.
 bool suits(const MotionDeck& motion, Axis periodic) {
-  constexpr double Vec3::*along[] = {&Vec3::x, &Vec3::y, &Vec3::z};
-  const double Vec3::*direction = along[static_cast<std::size_t>(periodic)];
+  const double Vec3::*direction = component(periodic);
   Vec3 axis;
   switch (motion.type) {
     case MotionType::translation:
@@ -36,7 +35,7 @@ bool suits(const MotionDeck& motion, Axis periodic) {
     case MotionType::oscillation:
       return motion.amplitude.*direction == 0.0;
     case MotionType::rotation:
-      axis.*along[static_cast<std::size_t>(periodic)] = 1.0;
+      axis.*component(periodic) = 1.0;
       return cross(motion.axis_direction, axis) == Vec3{};
   }
   return false;

@@ -22,6 +22,11 @@ struct RunDeck {
 
 enum class Axis { x, y, z };
 
+/// The component of a vector along an axis.
+constexpr double Vec3::*component(Axis axis) {
+  return axis == Axis::x ? &Vec3::x : axis == Axis::y ? &Vec3::y : &Vec3::z;
+}
+
 struct DomainDeck {
   Vec3 min;
   Vec3 max;

@@ -8,19 +8,22 @@ namespace repose {
 
 void TiltOnset::sample(const Communicator& comm, const Particles& particles, double tilt) {
   if (onset_) return;
-  // Position, radius, and whether it is there: known to the rank that owns the particle.
-  std::array<double, 5> seen = {};
+  // Position, radius, that it is there, material, blocked rotation: known to the rank that owns the particle.
+  std::array<double, 7> seen = {};
   for (std::size_t i = 0; i < particles.owned; ++i) {
     const ParticleRecord& p = particles.record[i];
     if (particles.id[i] != deck_.particle || is_parked(p)) continue;
     const Vec3 x = particles.position(i);
-    seen = {x.x, x.y, x.z, p.radius, 1.0};
+    const double blocked = particles.torque_to_acceleration[i] == 0.0 ? 1.0 : 0.0;
+    seen = {x.x, x.y, x.z, p.radius, 1.0, static_cast<double>(particles.material[i]), blocked};
   }
   comm.sum_elements(std::span(seen.begin(), seen.end()));
   if (seen[4] == 0.0) return;
   const Vec3 position = {seen[0], seen[1], seen[2]};
   if (!start_) {
     start_ = position;
+    material_ = static_cast<std::size_t>(seen[5]);
+    cannot_turn_ = seen[6] != 0.0;
     bound_ = std::isnan(deck_.displacement) ? 1e-3 * seen[3] : deck_.displacement;
   }
   const double way = norm(position - *start_);

@@ -20,10 +20,15 @@ class TiltOnset {
 
   /// In rad, between two samples by interpolation; empty before.
   std::optional<double> onset() const { return onset_; }
+  /// Of the particle, once it has been seen: its material, and whether its rotation is blocked.
+  std::size_t material() const { return material_; }
+  bool cannot_turn() const { return cannot_turn_; }
 
  private:
   TiltOnsetDeck deck_;
   std::optional<Vec3> start_;
+  std::size_t material_ = 0;
+  bool cannot_turn_ = false;
   double bound_ = 0.0;      ///< m
   double last_tilt_ = 0.0;  ///< of the last sample
   double last_way_ = 0.0;   ///< m

@@ -10,6 +10,7 @@
 #include "scene/fill.h"
 #include "scene/grain_sizes.h"
 #include "scene/lattice.h"
+#include "scene/materials.h"
 #include "scene/overlap.h"
 #include "scene/particle_csv.h"
 #include "scene/periodic_walls.h"
@@ -224,8 +225,9 @@ Insertion insert_particles(const Deck& deck, const std::vector<Wall>& walls, con
   check_walls(now, origin, walls);
   check_overlaps(now, origin);
   check_periodic(blocks.result, deck.domain, walls);
-  const auto twin = static_cast<int>(deck.materials.size());
-  for (std::size_t i = 0; i < now.size(); ++i) now.material[i] += origin.is_held(i) ? twin : 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (origin.is_held(i)) now.material[i] = MaterialTable::held_twin(now.material[i], deck.materials.size());
+  }
   return std::move(blocks.result);
 }
 

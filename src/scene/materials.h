@@ -49,7 +49,8 @@ class MaterialTable {
   explicit MaterialTable(const Deck& deck);
 
   std::size_t size() const { return materials_.size(); }  ///< with the twins
-  std::int32_t held_twin(std::int32_t material) const { return material + static_cast<std::int32_t>(solids_); }
+  /// The index of the twin of a material, among so many of the deck.
+  static int held_twin(int material, std::size_t solids) { return material + static_cast<int>(solids); }
   bool is_held(std::int32_t material) const { return material >= static_cast<std::int32_t>(solids_); }
   /// The deck's material that a material or its twin is.
   std::int32_t solid(std::int32_t material) const { return material % static_cast<std::int32_t>(solids_); }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/math.h"
 #include "scene/wall_shapes.h"
 
 namespace repose {
@@ -112,8 +111,8 @@ double greatest_speed(const std::vector<MotionDeck>& motions, const DomainDeck& 
   return speed;
 }
 
-Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
-  const auto [sine, cosine] = sin_cos_reproducible(angle);
+Vec3 turned(const Vec3& v, const Vec3& axis, const SineCosine& angle) {
+  const auto [sine, cosine] = angle;
   return cosine * v + sine * cross(axis, v) + ((1.0 - cosine) * dot(axis, v)) * axis;
 }
 

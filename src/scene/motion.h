@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/math.h"
 #include "base/vec3.h"
 #include "deck/deck.h"
 
@@ -66,7 +67,7 @@ class Motions {
 /// The greatest speed in m/s that the motions can give a point within the domain.
 double greatest_speed(const std::vector<MotionDeck>& motions, const DomainDeck& domain);
 
-/// `v` turned by `angle` (rad) about the direction `axis` (unit) by the right-hand rule (Rodrigues' formula).
-Vec3 turned(const Vec3& v, const Vec3& axis, double angle);
+/// `v` turned by an angle about the direction `axis` (unit) by the right-hand rule (Rodrigues' formula).
+Vec3 turned(const Vec3& v, const Vec3& axis, const SineCosine& angle);
 
 }  // namespace repose

@@ -12,12 +12,6 @@
 namespace repose {
 namespace {
 
-/// The component along an axis.
-double Vec3::*component(Axis axis) {
-  constexpr std::array<double Vec3::*, 3> components = {&Vec3::x, &Vec3::y, &Vec3::z};
-  return components[static_cast<std::size_t>(axis)];
-}
-
 /// The power of two of which all doubles up to two lengths beyond the bounds are at least half.
 double grid_spacing(double min, double max) {
   int exponent = 0;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/math.h"
+#include "scene/motion.h"
 #include "scene/wall_shapes.h"
 
 namespace repose {
@@ -20,27 +21,13 @@ namespace {
 /// Exact for multiples of a right angle.
 SineCosine sin_cos_of_degrees(double angle) {
   const double quarters = std::floor(angle / 90.0 + 0.5);
-  const auto [sine, cosine] = sin_cos_reproducible((angle - 90.0 * quarters) * (pi / 180.0));
-  switch (static_cast<int>(quarters) & 3) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
-  }
+  return turned_by_quarters(sin_cos_reproducible((angle - 90.0 * quarters) * (pi / 180.0)), quarters);
 }
 
 void place(const MeshPlacement& placement, TriangleMesh& mesh) {
   const Vec3 axis = unit_vector(placement.rotate_axis);
-  const auto [sine, cosine] = sin_cos_of_degrees(placement.rotate_angle);
-  for (Vec3& v : mesh.vertices) {
-    const Vec3 p = placement.scale * v;
-    // Rodrigues' formula
-    v = placement.translate + (cosine * p + sine * cross(axis, p) + ((1.0 - cosine) * dot(axis, p)) * axis);
-  }
+  const SineCosine angle = sin_cos_of_degrees(placement.rotate_angle);
+  for (Vec3& v : mesh.vertices) v = placement.translate + turned(placement.scale * v, axis, angle);
   mesh.tolerance *= placement.scale;
 }
 

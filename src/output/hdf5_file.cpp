@@ -11,6 +11,7 @@
 #include "output/agreement.h"
 #include "output/atomic_file.h"
 #include "output/disk_space.h"
+#include "output/file_seal.h"
 
 namespace repose {
 
@@ -114,6 +115,7 @@ void Hdf5File::create() {
   H5Pset_fapl_mpio(access.get(), comm_.handle(), MPI_INFO_NULL);
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
   const Hdf5Properties creation = group_properties(H5P_FILE_CREATE);
+  H5Pset_userblock(creation.get(), seal_bytes);
   const std::string partial = partial_path(path_);
   file_ = Hdf5FileHandle(
       check_hdf5(H5Fcreate(partial.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), path_, "create"));
@@ -211,6 +213,7 @@ void Hdf5File::close() {
   agree_after(comm_, [this] { check_hdf5(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), path_, "write"); });
   try {
     agree_after(comm_, [this] { check_hdf5(H5Fclose(file_.release()), path_, "close"); });
+    seal_file(comm_, partial_path(path_), path_);
     agree_after_root(comm_, [this] { publish_file(path_); });
   } catch (const FileError&) {
     discard();

@@ -22,10 +22,10 @@ struct RowBlock {
 template <class T>
 hid_t hdf5_type();
 
-/// A new HDF5 file written by all ranks of a communicator together, which appears whole at close() or not at all. Every
-/// member is collective and all ranks pass the same arguments (arrays: the same names, their own rows). An error on any
-/// rank throws FileError, which names the file, on all of them. The bytes of the file do not tell when and, as long as
-/// no array is longer than a chunk (262144 rows), on how many ranks it was written.
+/// A new HDF5 file written by all ranks of a communicator together, which appears whole and sealed (file_seal.h) at
+/// close() or not at all. Every member is collective and all ranks pass the same arguments (arrays: the same names,
+/// their own rows). An error on any rank throws FileError, which names the file, on all of them. The bytes of the file
+/// do not tell when and, as long as no array is longer than a chunk (262144 rows), on how many ranks it was written.
 class Hdf5File {
  public:
   /// Starts `path` under a name beside it. `most_bytes`, a generous bound on its size, is set aside on the disk: a full

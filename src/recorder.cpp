@@ -281,13 +281,14 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
   last_progress_step_ = simulation.steps();
 }
 
-Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file) {
+Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file, const CheckpointCost& checkpoints) {
   const Communicator& comm = simulation.comm();
   Summary s;
   s.loop_wall_seconds = seconds_since(start_);
   s.loop_cpu_seconds = comm.sum(static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC);
   s.particle_steps_per_cpu_second = particle_steps_ / s.loop_cpu_seconds;
   summarise_cost(simulation, s);
+  s.checkpoints = checkpoints;
   write_snapshot_now(simulation);
   if (!phases_.empty()) write_series_row(simulation, phases_.back().name);
 

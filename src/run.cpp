@@ -73,7 +73,7 @@ class Run {
       recorder_.phase_ended(simulation_, phase, ended_by);
       is_resumed_ = false;
     }
-    const Summary summary = recorder_.finish(simulation_, files_.reader());
+    const Summary summary = recorder_.finish(simulation_, files_.reader(), checkpoints_.cost());
     agree_after_root(simulation_.comm(), [&] { remove_checkpoints(options_.directory); });
     return summary;
   }
@@ -137,7 +137,7 @@ class Run {
   std::optional<std::string> reason_to_stop() const {
     constexpr double least = 1.0;  // s
     if (!stop_asked_) return {};
-    return stop_asked_(least + 2.0 * checkpoints_.longest_write());
+    return stop_asked_(least + 2.0 * checkpoints_.cost().longest);
   }
 
   [[noreturn]] void stop(const std::optional<std::string>& reason_here) const {

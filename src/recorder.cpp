@@ -95,7 +95,8 @@ void Recorder::remove_earlier_results() const {
   }
   for (const auto& entry : std::filesystem::directory_iterator(options_.directory)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("run_") && name.ends_with(".hdf")) std::filesystem::remove(entry.path());
+    const bool is_result = name.starts_with("run_") || name.starts_with("neighbourhood_");
+    if (is_result && name.ends_with(".hdf") && !entry.is_directory()) std::filesystem::remove(entry.path());
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "guard_report.h"
 #include "output/agreement.h"
 #include "output/directory.h"
 
@@ -21,11 +22,8 @@ void warn_of_mesh_defects(const Simulation& simulation) {
   }
 }
 
-}  // namespace
-
-Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level,
-                 const OutputOptions& options) {
-  agree_after_root(comm, [&] { create_output_directory(options.directory); });
+Summary run_phases(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level,
+                   const OutputOptions& options) {
   Simulation simulation(comm, deck, read_file, level);
   warn_of_mesh_defects(simulation);
   Recorder recorder(simulation, options);
@@ -45,6 +43,18 @@ Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& rea
     recorder.phase_ended(simulation, phase, *ended_by);
   }
   return recorder.finish(simulation, read_file);
+}
+
+}  // namespace
+
+Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level,
+                 const OutputOptions& options) {
+  agree_after_root(comm, [&] { create_output_directory(options.directory); });
+  try {
+    return run_phases(comm, deck, read_file, level, options);
+  } catch (const GuardError& error) {
+    throw PhysicsError(with_neighbourhood(comm, deck, options, error.alarm()));
+  }
 }
 
 }  // namespace repose

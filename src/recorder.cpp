@@ -120,8 +120,11 @@ void Recorder::remove_earlier_results() const {
 
 void Recorder::remove_snapshots_after(std::int64_t step) const {
   for (const auto& entry : std::filesystem::directory_iterator(options_.directory)) {
-    const auto of = step_of_file(entry.path().filename().string(), "run_");
-    if (of && *of > step) std::filesystem::remove(entry.path());
+    const std::string name = entry.path().filename().string();
+    for (const char* prefix : {"run_", "neighbourhood_"}) {
+      const auto of = step_of_file(name, prefix);
+      if (of && *of > step && !entry.is_directory()) std::filesystem::remove(entry.path());
+    }
   }
 }
 

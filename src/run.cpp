@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "checkpoints.h"
+#include "guard_report.h"
 #include "output/agreement.h"
 #include "output/directory.h"
 #include "restart.h"
@@ -164,7 +165,11 @@ Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& rea
                  const OutputOptions& options, const StopAsked& stop_asked) {
   agree_after_root(comm, [&] { create_output_directory(options.directory); });
   std::optional<FoundCheckpoint> from = checkpoint_to_begin_from(comm, options);
-  return Run(comm, deck, read_file, level, options, stop_asked, std::move(from)).finish();
+  try {
+    return Run(comm, deck, read_file, level, options, stop_asked, std::move(from)).finish();
+  } catch (const GuardError& error) {
+    throw PhysicsError(with_neighbourhood(comm, deck, options, error.alarm()));
+  }
 }
 
 }  // namespace repose

@@ -35,7 +35,11 @@ void Communicator::broadcast(std::string& text, int root) const {
   auto length = static_cast<std::int64_t>(text.size());
   broadcast(length, root);
   text.resize(static_cast<std::size_t>(length));
-  check_mpi(MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, root, comm_), "MPI_Bcast");
+  constexpr std::int64_t most = std::int64_t{1} << 30;  // MPI counts by int
+  for (std::int64_t begin = 0; begin < length; begin += most) {
+    const auto count = static_cast<int>(std::min(most, length - begin));
+    check_mpi(MPI_Bcast(text.data() + begin, count, MPI_CHAR, root, comm_), "MPI_Bcast");
+  }
 }
 
 std::vector<std::vector<char>> Communicator::exchange(const std::vector<std::vector<char>>& send) const {

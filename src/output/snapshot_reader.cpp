@@ -1,12 +1,13 @@
 #include "output/snapshot_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "output/hdf5_file.h"
+#include "output/hdf5_array.h"
 #include "output/hdf5_handle.h"
 
 namespace repose {
@@ -16,6 +17,7 @@ namespace {
 Hdf5FileHandle open_image(const std::string& bytes, const std::string& file) {
   constexpr std::size_t increment = 1 << 20;
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are reported by exceptions, once
+  H5PLset_loading_state(0);                     // a filter that HDF5 does not know is an error, no program to load
   const Hdf5Properties access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_fapl_core(access.get(), increment, false);
   std::string image = bytes;                   // HDF5 asks for memory it could write to
@@ -24,32 +26,22 @@ Hdf5FileHandle open_image(const std::string& bytes, const std::string& file) {
   return Hdf5FileHandle(check_hdf5(H5Fopen(name, H5F_ACC_RDONLY, access.get()), file, "read as a snapshot"));
 }
 
-template <class T>
-std::vector<T> read_array(const Hdf5FileHandle& snapshot, const std::string& name, std::size_t columns,
-                          const std::string& file) {
-  const std::string path = "/particles/" + name;
-  const std::string action = "read " + path + ", which every snapshot has";
-  const Hdf5Dataset dataset(check_hdf5(H5Dopen2(snapshot.get(), path.c_str(), H5P_DEFAULT), file, action));
-  const Hdf5Space space(check_hdf5(H5Dget_space(dataset.get()), file, action));
-  const auto size = static_cast<std::size_t>(check_hdf5(H5Sget_simple_extent_npoints(space.get()), file, action));
-  std::vector<T> values(size);
-  check_hdf5(H5Dread(dataset.get(), hdf5_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), file, action);
-  if (size % columns != 0)
-    throw FileError(fmt::format("{}: {} has {} values, no multiple of {}", file, path, size, columns));
-  return values;
-}
-
 /// The attribute "materials" of the root: names of any length.
-std::vector<std::string> read_materials(const Hdf5FileHandle& snapshot, const std::string& file) {
+std::vector<std::string> read_materials(const Hdf5FileHandle& snapshot, std::size_t file_bytes,
+                                        const std::string& file) {
   const std::string action = "read the attribute materials, which every snapshot has";
   const Hdf5Attribute attribute(check_hdf5(H5Aopen(snapshot.get(), "materials", H5P_DEFAULT), file, action));
   const Hdf5Space space(check_hdf5(H5Aget_space(attribute.get()), file, action));
   const Hdf5Type type(check_hdf5(H5Aget_type(attribute.get()), file, action));
-  std::vector<char*> texts(
-      static_cast<std::size_t>(check_hdf5(H5Sget_simple_extent_npoints(space.get()), file, action)));
-  if (H5Tis_variable_str(type.get()) <= 0) throw FileError(fmt::format("{}: cannot {}", file, action));
+  const auto count = static_cast<std::size_t>(check_hdf5(H5Sget_simple_extent_npoints(space.get()), file, action));
+  if (H5Tis_variable_str(type.get()) <= 0 || count > file_bytes)
+    throw FileError(fmt::format("{}: cannot {}", file, action));
+  std::vector<char*> texts(count, nullptr);
+  std::vector<std::string> names(count);
   check_hdf5(H5Aread(attribute.get(), type.get(), texts.data()), file, action);
-  const std::vector<std::string> names(texts.begin(), texts.end());
+  for (std::size_t m = 0; m < count; ++m) {
+    if (texts[m] != nullptr) names[m] = texts[m];
+  }
   H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, texts.data());
   return names;
 }
@@ -64,6 +56,17 @@ std::vector<int> translation(const std::vector<std::string>& names, const std::v
   return indices;
 }
 
+void check_numbers(const NewParticles& particles, const std::string& file) {
+  const auto is_finite = [](const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double radius = particles.radius[i];
+    if (!is_finite(particles.position[i]) || !is_finite(particles.velocity[i]) || !is_finite(particles.spin[i]))
+      throw FileError(fmt::format("{}: row {} of /particles has a number that is not finite", file, i));
+    if (!(radius > 0.0) || !std::isfinite(radius))
+      throw FileError(fmt::format("{}: row {} of /particles/radius is {}; a radius is positive", file, i, radius));
+  }
+}
+
 std::vector<Vec3> vectors(std::span<const double> values) {
   std::vector<Vec3> result;
   for (std::size_t i = 0; i + 2 < values.size(); i += 3) result.push_back({values[i], values[i + 1], values[i + 2]});
@@ -75,15 +78,18 @@ std::vector<Vec3> vectors(std::span<const double> values) {
 NewParticles parse_snapshot(const std::string& bytes, const std::string& file,
                             const std::vector<MaterialDeck>& materials) {
   const Hdf5FileHandle snapshot = open_image(bytes, file);
+  const auto read = [&]<class T>(const char* name, int columns, T) {
+    return read_hdf5_array<T>(snapshot, fmt::format("/particles/{}", name), columns, bytes.size(), file);
+  };
   NewParticles particles;
-  particles.position = vectors(read_array<double>(snapshot, "position", 3, file));
-  particles.velocity = vectors(read_array<double>(snapshot, "velocity", 3, file));
-  particles.spin = vectors(read_array<double>(snapshot, "angular_velocity", 3, file));
-  particles.radius = read_array<double>(snapshot, "radius", 1, file);
+  particles.position = vectors(read("position", 3, double{}));
+  particles.velocity = vectors(read("velocity", 3, double{}));
+  particles.spin = vectors(read("angular_velocity", 3, double{}));
+  particles.radius = read("radius", 1, double{});
   const std::size_t count = particles.size();
-  const std::vector<std::string> names = read_materials(snapshot, file);
+  const std::vector<std::string> names = read_materials(snapshot, bytes.size(), file);
   const std::vector<int> indices = translation(names, materials);
-  for (const std::int32_t material : read_array<std::int32_t>(snapshot, "material", 1, file)) {
+  for (const std::int32_t material : read("material", 1, std::int32_t{})) {
     const auto m = static_cast<std::size_t>(material);
     if (m >= indices.size()) throw FileError(fmt::format("{}: material {} has no name", file, material));
     if (indices[m] < 0)
@@ -95,6 +101,7 @@ NewParticles parse_snapshot(const std::string& bytes, const std::string& file,
     throw FileError(fmt::format("{}: the arrays of /particles differ in length", file));
   }
   if (count == 0) throw DeckError(fmt::format("{}: the snapshot holds no particles", file));
+  check_numbers(particles, file);
   return particles;
 }
 

@@ -4,7 +4,7 @@ add_library(repose_flags INTERFACE)
 target_include_directories(repose_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(repose_flags INTERFACE
   -Wno-psabi     # GCC warns of vectors as return values; ours only occur in functions that are always inlined
-  -Wno-restrict  # GCC 12 warns falsely in its own std::string (bug 105651)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns falsely in its own std::string (bug 105651)
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
   -ffp-contract=off -fno-math-errno -fno-trapping-math
   $<$<BOOL:${REPOSE_WERROR}>:-Werror>)
@@ -16,6 +16,15 @@ option(REPOSE_SANITIZE "Build with the address and undefined-behaviour sanitizer
 if(REPOSE_SANITIZE)
   set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_compile_options(repose_flags INTERFACE ${sanitize})
+  target_link_options(repose_flags INTERFACE ${sanitize})
+endif()
+
+# For the fuzz targets in tests/fuzz, which are all that is built then: clang's libFuzzer.
+option(REPOSE_FUZZ "Build the fuzz targets (clang)" OFF)
+if(REPOSE_FUZZ)
+  set(sanitize -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(repose_flags INTERFACE -fsanitize=fuzzer-no-link ${sanitize}
+    -include ${PROJECT_SOURCE_DIR}/tests/fuzz/clang.h)
   target_link_options(repose_flags INTERFACE ${sanitize})
 endif()
 

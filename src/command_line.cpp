@@ -54,7 +54,7 @@ CLI::App* add_run(CLI::App& app, CommandLine& line) {
   return run;
 }
 
-std::string one_line(std::string text) {
+std::string joined_lines(std::string text) {
   for (char& c : text) {
     if (c == '\n') c = ' ';
   }
@@ -80,7 +80,7 @@ CommandLine parse_command_line(int argc, char** argv) {
     line.text = app.help();  // of the subcommand that was named, if any
     return line;
   } catch (const CLI::ParseError& error) {
-    throw DeckError(one_line(error.what()) + "; see repose --help");
+    throw DeckError(joined_lines(error.what()) + "; see repose --help");
   }
   if (run->parsed()) line.action = CommandLine::Action::run;
   if (check->parsed()) line.action = CommandLine::Action::check;

@@ -4,8 +4,8 @@
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 usage="usage: tools/run-tests.sh [--slow | --all] [--asan]
-  (none)   every test but those labelled slow; less than 45 minutes on 2 cores
-  --slow   the tests labelled slow instead
+  (none)   every test but those labelled slow, and each fuzz target for 20 s; less than 50 minutes on 2 cores
+  --slow   the tests labelled slow instead, and each fuzz target for 5 minutes
   --all    every test
   --asan   the same tests a second time under the address and undefined-behaviour sanitizers"
 
@@ -31,6 +31,7 @@ for option in "$@"; do
   esac
 done
 
+presets+=(fuzz)
 set_up run-tests "${build_packages[@]}" "${test_packages[@]}"
 for preset in "${presets[@]}"; do
   build "$preset"

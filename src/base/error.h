@@ -8,10 +8,13 @@ namespace repose {
 /// Exit codes of the program, one per kind of failure (README).
 enum class ExitCode { done = 0, usage = 2, physics = 3, file = 4, stopped = 75 };
 
+/// The message with a question mark for each control character: what it quotes from an input may be anything.
+std::string one_line(std::string message);
+
 /// An error that ends a run: one line that says where, what, and what would be right.
 class Error : public std::runtime_error {
  public:
-  Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  Error(ExitCode code, const std::string& message) : std::runtime_error(one_line(message)), code_(code) {}
   ExitCode code() const { return code_; }
 
  private:

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "deck/nearest.h"
+#include "deck/nesting.h"
 
 namespace repose {
 namespace {
@@ -18,6 +19,17 @@ bool is_repeated(const std::string& part, bool at_top) {
   const std::span<const std::string_view> names = at_top ? std::span<const std::string_view>(repeated_sections)
                                                          : std::span<const std::string_view>(repeated_subsections);
   return std::find(names.begin(), names.end(), part) != names.end();
+}
+
+/// As TOML wants it; a deck with other bytes in its texts could not be written.
+bool is_utf8(const std::string& text) {
+  std::string quoted = "'";
+  std::copy_if(text.begin(), text.end(), std::back_inserter(quoted), [](char c) { return (c & 0x80) != 0; });
+  try {
+    return !toml::parse("x = " + quoted + "'").empty();
+  } catch (const toml::parse_error&) {
+    return false;
+  }
 }
 
 [[noreturn]] void fail(const std::string& set_text, const std::string& message) {
@@ -88,6 +100,8 @@ void assign(toml::table& table, const std::string& key, const std::string& value
 void apply(toml::table& root, const std::string& set_text, Overridden& overridden) {
   const std::size_t equals = set_text.find('=');
   if (equals == std::string::npos) fail(set_text, "write key=value, such as time.step=2e-6");
+  if (has_deep_key(set_text)) fail(set_text, fmt::format("a key has more than {} parts", most_key_parts));
+  if (!is_utf8(set_text)) fail(set_text, "write it in UTF-8");
   const std::vector<std::string> parts = split_key(set_text.substr(0, equals));
   if (std::find(parts.begin(), parts.end(), "") != parts.end()) fail(set_text, "the key has an empty part");
 

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "deck/check_deck.h"
+#include "deck/nesting.h"
 #include "deck/overrides.h"
 #include "deck/reader.h"
 #include "deck/schema.h"
@@ -22,6 +23,7 @@ std::string remedy(const std::string& description) {
 }
 
 toml::table parse(const std::string& text, const std::string& path) {
+  if (has_deep_key(text)) throw DeckError(fmt::format("{}: a key has more than {} parts", path, most_key_parts));
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <span>
 
 #include <fmt/format.h>
@@ -102,6 +103,9 @@ Quantity problem(std::string_view text, const Dimension& wanted, std::string_vie
 
 std::string_view symbol(Unit unit) { return unit == Unit::none ? "-" : dimension(unit).symbols.front().text; }
 
+constexpr std::string_view no_double = "is too large or too small for a double";
+constexpr int largest_exponent = 100'000;  // beyond any double, however many digits there are before it
+
 Quantity parse_quantity(std::string_view text, Unit unit) {
   const Dimension wanted = dimension(unit);
   const std::string_view trimmed = trim(text);
@@ -120,11 +124,12 @@ Quantity parse_quantity(std::string_view text, Unit unit) {
     int exponent = 0;
     if (e != std::string_view::npos) {
       const std::string_view digits = number.substr(e + (number.substr(e + 1).starts_with('+') ? 2 : 1));
-      std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+      const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+      if (read.ec != std::errc{} || std::abs(exponent) > largest_exponent) return problem(text, wanted, no_double);
     }
     const std::string joined = fmt::format("{}e{}", number.substr(0, e), exponent + s.power);
     const auto result = std::from_chars(joined.data(), joined.data() + joined.size(), value);
-    if (result.ec != std::errc{}) return problem(text, wanted, "is too large or too small for a double");
+    if (result.ec != std::errc{}) return problem(text, wanted, no_double);
     return {s.factor * value, {}};
   }
   return problem(text, wanted, fmt::format("is not {}", wanted.name));

@@ -32,10 +32,10 @@ bool is_finite(std::span<const double> values) {
 
 class Reader {
  public:
-  Reader(const Hdf5Reader& file, const Communicator& comm) : file_(file), comm_(comm) {}
+  Reader(const Hdf5Reader& file, int rank, int ranks) : file_(file), rank_(rank), ranks_(ranks) {}
 
   CheckpointHeader header() const {
-    if (file_.has_attribute("repose_checkpoint") && file_.read_integer("repose_checkpoint") != format) {
+    if (file_.read_integer("repose_checkpoint") != format) {
       throw FileError(
           fmt::format("{}: a checkpoint of another format; this version reads format {}", file_.name(), format));
     }
@@ -54,8 +54,8 @@ class Reader {
   /// This rank's share of the particles.
   void read(Particles& p) {
     const std::int64_t rows = file_.rows("/particles/id");
-    begin_ = rows * comm_.rank() / comm_.size();
-    end_ = rows * (comm_.rank() + 1) / comm_.size();
+    begin_ = rows * rank_ / ranks_;
+    end_ = rows * (rank_ + 1) / ranks_;
     p.id = mine<std::int64_t>("/particles/id", 1);
     p.material = mine<std::int32_t>("/particles/material", 1);
     const auto position = finite("/particles/position", 3);
@@ -121,14 +121,16 @@ class Reader {
   }
 
   const Hdf5Reader& file_;
-  const Communicator& comm_;
+  int rank_;
+  int ranks_;
   std::int64_t begin_ = 0;  ///< of this rank's particles
   std::int64_t end_ = 0;
 };
 
-Checkpoint read(const Communicator& comm, const Hdf5Reader& file) {
+/// The share of one of so many ranks.
+Checkpoint read(const Hdf5Reader& file, int rank, int ranks) {
   Checkpoint checkpoint;
-  Reader reader(file, comm);
+  Reader reader(file, rank, ranks);
   checkpoint.header = reader.header();
   reader.read(checkpoint.particles);
   reader.read(checkpoint.memory.pairs, "/particles/pair_contacts", "/pair_contacts",
@@ -143,12 +145,12 @@ Checkpoint read(const Communicator& comm, const Hdf5Reader& file) {
 Checkpoint read_checkpoint(const Communicator& comm, const std::string& path) {
   check_seal(comm, path);
   Checkpoint checkpoint;
-  agree_after(comm, [&] { checkpoint = read(comm, Hdf5Reader(path)); });
+  agree_after(comm, [&] { checkpoint = read(Hdf5Reader(path), comm.rank(), comm.size()); });
   return checkpoint;
 }
 
-Checkpoint parse_checkpoint(const Communicator& comm, const std::string& bytes, const std::string& file) {
-  return read(comm, Hdf5Reader::of_bytes(bytes, file));
+Checkpoint parse_checkpoint(const std::string& bytes, const std::string& file) {
+  return read(Hdf5Reader::of_bytes(bytes, file, "checkpoint"), 0, 1);
 }
 
 }  // namespace repose

@@ -17,7 +17,7 @@ struct Checkpoint {
 /// holds what no simulation can have: numbers that are not finite, radii that are not positive.
 Checkpoint read_checkpoint(const Communicator& comm, const std::string& path);
 
-/// The same, on one rank, for the bytes of a whole file whose seal does not matter.
-Checkpoint parse_checkpoint(const Communicator& comm, const std::string& bytes, const std::string& file);
+/// All of a checkpoint from the bytes of a whole file, whose seal does not matter, on one rank. FileError as above.
+Checkpoint parse_checkpoint(const std::string& bytes, const std::string& file);
 
 }  // namespace repose

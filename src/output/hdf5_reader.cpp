@@ -1,6 +1,7 @@
 #include "output/hdf5_reader.h"
 
 #include <array>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,38 +11,97 @@
 namespace repose {
 namespace {
 
-Hdf5Properties quiet_access() {
+constexpr double greatest_deflation = 1032.0;  // deflate makes no more of a byte
+
+Hdf5Properties access_properties() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are reported by exceptions, once
+  H5PLset_loading_state(0);                     // a filter that HDF5 does not know is an error, no program to load
   return Hdf5Properties(H5Pcreate(H5P_FILE_ACCESS));
 }
 
+herr_t refuse_link(const char*, const char*, const char*, const char*, unsigned*, hid_t, void*) { return -1; }
+
+/// What is in a file about an array, and what keeps it from being read.
+class Inspection {
+ public:
+  Inspection(const Hdf5Dataset& dataset, double most_bytes)
+      : dataset_(dataset),
+        creation_(H5Dget_create_plist(dataset.get())),
+        type_(H5Dget_type(dataset.get())),
+        most_values_(most_bytes / static_cast<double>(H5Tget_size(type_.get()))) {
+    const Hdf5Space space(H5Dget_space(dataset.get()));
+    if (H5Sget_simple_extent_type(space.get()) != H5S_SIMPLE) return;
+    dimensions_ = H5Sget_simple_extent_ndims(space.get());
+    if (dimensions_ < 1 || dimensions_ > 2) return;
+    H5Sget_simple_extent_dims(space.get(), size_.data(), nullptr);
+  }
+
+  std::int64_t rows() const { return static_cast<std::int64_t>(size_[0]); }
+
+  /// Empty: nothing.
+  std::string problem(H5T_class_t wanted, int columns) const {
+    if (H5Tget_class(type_.get()) != wanted)
+      return wanted == H5T_FLOAT ? "is not of real numbers" : "is not of integers";
+    if (dimensions_ != (columns == 1 ? 1 : 2) || size_[1] != static_cast<hsize_t>(columns))
+      return "has not the right columns";
+    if (is_elsewhere()) return "lies in another file";
+    if (values() > most_values_ || chunk_values() > most_values_) return "claims more values than the file can hold";
+    H5D_space_status_t status = H5D_SPACE_STATUS_ERROR;
+    H5Dget_space_status(dataset_.get(), &status);
+    if (size_[0] > 0 && status != H5D_SPACE_STATUS_ALLOCATED && status != H5D_SPACE_STATUS_PART_ALLOCATED)
+      return "has no values";
+    return {};
+  }
+
+ private:
+  bool is_elsewhere() const {
+    return H5Pget_external_count(creation_.get()) != 0 || H5Pget_layout(creation_.get()) == H5D_VIRTUAL;
+  }
+  double values() const { return static_cast<double>(size_[0]) * static_cast<double>(size_[1]); }
+  double chunk_values() const {
+    if (H5Pget_layout(creation_.get()) != H5D_CHUNKED) return 0.0;
+    std::array<hsize_t, 2> chunk{1, 1};
+    H5Pget_chunk(creation_.get(), dimensions_, chunk.data());
+    return static_cast<double>(chunk[0]) * static_cast<double>(chunk[1]);
+  }
+
+  const Hdf5Dataset& dataset_;
+  Hdf5Properties creation_;
+  Hdf5Type type_;
+  double most_values_;
+  int dimensions_ = 0;
+  std::array<hsize_t, 2> size_{0, 1};
+};
+
+double most_bytes_of(std::uint64_t file_bytes) { return greatest_deflation * static_cast<double>(file_bytes); }
+
 }  // namespace
 
-Hdf5Reader::Hdf5Reader(const std::string& path) : file_(H5I_INVALID_HID), name_(path) {
-  const Hdf5Properties access = quiet_access();
+Hdf5Reader::Hdf5Reader(const std::string& path)
+    : file_(H5I_INVALID_HID), name_(path), bytes_(std::filesystem::file_size(path)) {
+  const Hdf5Properties access = access_properties();
   H5Pset_file_locking(access.get(), false, true);  // many network file systems have no locks
-  file_ = Hdf5FileHandle(check_hdf5(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), path, "read"));
+  file_ = Hdf5FileHandle(check_hdf5(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), path, "read as HDF5"));
 }
 
 /// Needs no disk, so that every rank can do with the bytes that one has read.
-Hdf5Reader Hdf5Reader::of_bytes(const std::string& bytes, const std::string& file) {
+Hdf5Reader Hdf5Reader::of_bytes(const std::string& bytes, const std::string& file, const std::string& kind) {
   constexpr std::size_t increment = 1 << 20;
-  const Hdf5Properties access = quiet_access();
+  const Hdf5Properties access = access_properties();
   H5Pset_fapl_core(access.get(), increment, false);
   std::string image = bytes;                   // HDF5 asks for memory it could write to
   const char* const name = "/dev/null/image";  // HDF5 refuses the name of a file that is there; this can be none
   H5Pset_file_image(access.get(), image.data(), image.size());
-  return {Hdf5FileHandle(check_hdf5(H5Fopen(name, H5F_ACC_RDONLY, access.get()), file, "read as HDF5")), file};
+  Hdf5FileHandle handle(check_hdf5(H5Fopen(name, H5F_ACC_RDONLY, access.get()), file, "read as a " + kind));
+  return {std::move(handle), file, bytes.size()};
 }
-
-bool Hdf5Reader::has_attribute(const std::string& name) const { return H5Aexists(file_.get(), name.c_str()) > 0; }
 
 Hdf5Attribute Hdf5Reader::open_scalar(const std::string& attribute) const {
   const std::string action = "read the attribute " + attribute;
   Hdf5Attribute handle(check_hdf5(H5Aopen(file_.get(), attribute.c_str(), H5P_DEFAULT), name_, action));
   const Hdf5Space space(check_hdf5(H5Aget_space(handle.get()), name_, action));
   if (H5Sget_simple_extent_npoints(space.get()) != 1) {
-    throw FileError(fmt::format("{}: the attribute {} is not one value", name_, attribute));
+    throw FileError(fmt::format("{}: cannot {}: it is not one value", name_, action));
   }
   return handle;
 }
@@ -59,53 +119,51 @@ double Hdf5Reader::read_real(const std::string& name) const {
 }
 
 std::string Hdf5Reader::read_text(const std::string& name) const {
+  std::vector<std::string> texts = read_texts(name);
+  if (texts.size() != 1) throw FileError(fmt::format("{}: the attribute {} is not one text", name_, name));
+  return texts.front();
+}
+
+std::vector<std::string> Hdf5Reader::read_texts(const std::string& name) const {
   const std::string action = "read the attribute " + name;
-  const Hdf5Attribute attribute = open_scalar(name);
+  const Hdf5Attribute attribute(check_hdf5(H5Aopen(file_.get(), name.c_str(), H5P_DEFAULT), name_, action));
   const Hdf5Space space(check_hdf5(H5Aget_space(attribute.get()), name_, action));
   const Hdf5Type type(check_hdf5(H5Aget_type(attribute.get()), name_, action));
-  if (H5Tis_variable_str(type.get()) <= 0) {
-    throw FileError(fmt::format("{}: the attribute {} is no text of any length", name_, name));
+  const auto count = static_cast<std::size_t>(check_hdf5(H5Sget_simple_extent_npoints(space.get()), name_, action));
+  if (H5Tis_variable_str(type.get()) <= 0 || count > bytes_) {
+    throw FileError(fmt::format("{}: cannot {}: it is not of texts", name_, action));
   }
-  char* text = nullptr;
-  check_hdf5(H5Aread(attribute.get(), type.get(), &text), name_, action);
-  std::string copy = text == nullptr ? "" : text;
-  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, &text);
-  return copy;
+  std::vector<char*> pointers(count, nullptr);
+  std::vector<std::string> texts(count);
+  check_hdf5(H5Aread(attribute.get(), type.get(), pointers.data()), name_, action);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (pointers[k] != nullptr) texts[k] = pointers[k];
+  }
+  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, pointers.data());
+  return texts;
 }
 
+/// Without following a link to another file.
 Hdf5Dataset Hdf5Reader::open(const std::string& dataset) const {
-  return Hdf5Dataset(check_hdf5(H5Dopen2(file_.get(), dataset.c_str(), H5P_DEFAULT), name_, "read " + dataset));
+  const Hdf5Properties access(H5Pcreate(H5P_DATASET_ACCESS));
+  H5Pset_elink_cb(access.get(), refuse_link, nullptr);
+  return Hdf5Dataset(check_hdf5(H5Dopen2(file_.get(), dataset.c_str(), access.get()), name_, "read " + dataset));
 }
 
-Hdf5Reader::Shape Hdf5Reader::shape_of(const Hdf5Dataset& handle, const std::string& dataset) const {
-  const Hdf5Space space(check_hdf5(H5Dget_space(handle.get()), name_, "read " + dataset));
-  const Hdf5Type type(check_hdf5(H5Dget_type(handle.get()), name_, "read " + dataset));
-  const H5T_class_t kind = H5Tget_class(type.get());
-  const int dimensions = H5Sget_simple_extent_ndims(space.get());
-  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || dimensions < 1 || dimensions > 2) {
-    throw FileError(fmt::format("{}: {} is no array of numbers with one or two dimensions", name_, dataset));
-  }
-  std::array<hsize_t, 2> size = {0, 1};
-  check_hdf5(H5Sget_simple_extent_dims(space.get(), size.data(), nullptr), name_, "read " + dataset);
-  const double bytes =
-      static_cast<double>(size[0]) * static_cast<double>(size[1]) * static_cast<double>(H5Tget_size(type.get()));
-  if (bytes > static_cast<double>(H5Dget_storage_size(handle.get()))) {
-    throw FileError(fmt::format("{}: {} is longer than what the file holds of it", name_, dataset));
-  }
-  return {static_cast<std::int64_t>(size[0]), static_cast<std::int64_t>(size[1])};
+std::int64_t Hdf5Reader::rows(const std::string& dataset) const {
+  return Inspection(open(dataset), most_bytes_of(bytes_)).rows();
 }
-
-std::int64_t Hdf5Reader::rows(const std::string& dataset) const { return shape_of(open(dataset), dataset).rows; }
 
 void Hdf5Reader::read_rows(const std::string& dataset, int columns, std::int64_t begin, std::int64_t end, hid_t type,
                            const std::function<void*(std::size_t)>& allocate) const {
   const Hdf5Dataset handle = open(dataset);
-  const Shape shape = shape_of(handle, dataset);
-  if (shape.columns != columns || begin < 0 || begin > end || end > shape.rows) {
-    throw FileError(
-        fmt::format("{}: {} has {} rows of {}, not {} of {}", name_, dataset, shape.rows, shape.columns, end, columns));
+  const Inspection inspection(handle, most_bytes_of(bytes_));
+  const std::string problem = inspection.problem(H5Tget_class(type), columns);
+  if (!problem.empty()) throw FileError(fmt::format("{}: cannot read {}: it {}", name_, dataset, problem));
+  if (begin < 0 || begin > end || end > inspection.rows()) {
+    throw FileError(fmt::format("{}: {} has {} rows, {} are needed", name_, dataset, inspection.rows(), end));
   }
-  if (begin == end) return;
+  if (begin == end) return;  // HDF5 wants a place for none, too
   const Hdf5Space disk(check_hdf5(H5Dget_space(handle.get()), name_, "read " + dataset));
   const std::array<hsize_t, 2> start = {static_cast<hsize_t>(begin), 0};
   const std::array<hsize_t, 2> count = {static_cast<hsize_t>(end - begin), static_cast<hsize_t>(columns)};

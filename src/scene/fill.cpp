@@ -29,7 +29,8 @@ struct Lattice {
 std::int64_t sites_along(double length, double margin, double spacing) {
   const double free = length - 2.0 * margin;
   if (free < -rounding * spacing) return 0;
-  return static_cast<std::int64_t>(std::floor(free / spacing + rounding)) + 1;
+  constexpr double most = 1e15;  // far beyond any number that is placed
+  return static_cast<std::int64_t>(std::fmin(std::floor(free / spacing + rounding), most)) + 1;
 }
 
 Lattice make_lattice(const ParticlesDeck& fill) {
@@ -114,11 +115,11 @@ std::string remedy(const ParticlesDeck& fill, std::int64_t count, std::int64_t f
 }  // namespace
 
 std::int64_t fill_count(const ParticlesDeck& fill, double density, const std::string& block) {
-  if (fill.count > 0) return fill.count;
-  const double wanted = fill.mass / sphere_mass(0.5 * fill.diameter, density);
+  const double wanted =
+      fill.count > 0 ? static_cast<double>(fill.count) : fill.mass / sphere_mass(0.5 * fill.diameter, density);
   if (!(wanted >= 0.5)) throw DeckError(fmt::format("{}: count or mass must give at least one particle", block));
-  if (!(wanted < 1e12))
-    throw DeckError(fmt::format("{}: a mass of {} kg is {:.3g} particles", block, fill.mass, wanted));
+  if (!(wanted < most_particles)) throw DeckError(fmt::format("{}: {:.3g} particles are too many", block, wanted));
+  if (fill.count > 0) return fill.count;
   return static_cast<std::int64_t>(std::floor(wanted + 0.5));
 }
 

@@ -9,8 +9,11 @@
 
 namespace repose {
 
+/// A block of as many particles or more is refused before memory is asked for.
+inline constexpr double most_particles = 1e9;
+
 /// Number of particles a fill block asks for: its count, or its mass (kg) over the mass of one particle of the density
-/// (kg/m^3), rounded. DeckError, beginning with `block`, when that is none.
+/// (kg/m^3), rounded. DeckError, beginning with `block`, when that is none or too many.
 std::int64_t fill_count(const ParticlesDeck& fill, double density, const std::string& block);
 
 /// Positions of `count` particles on a jittered simple cubic lattice in the region of a fill block, layer by layer from

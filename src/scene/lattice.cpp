@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "scene/fill.h"
 #include "scene/region.h"
 
 namespace repose {
@@ -31,8 +32,18 @@ struct Planes {
   std::int64_t x, y, z;
 };
 
-Planes planes_of(const ParticlesDeck& lattice) {
+/// DeckError for more sites than a block may have, and before one of the numbers of planes would overflow.
+void check_size(double x, double y, double z, const std::string& block) {
+  const double sites = 0.125 * x * y * z;
+  if (!(sites < most_particles)) throw DeckError(fmt::format("{}: {:.3g} sites are too many", block, sites));
+}
+
+Planes planes_of(const ParticlesDeck& lattice, const std::string& block) {
   const auto& counts = lattice.counts;
+  if (!counts.empty()) {
+    const auto planes = [&](std::size_t k) { return 2.0 * static_cast<double>(counts[k]); };
+    check_size(planes(0), planes(1), planes(2), block);
+  }
   if (!counts.empty()) return {lattice.first, 2 * counts[0], 2 * counts[1], 2 * counts[2]};
   const auto [min, max] = bounds(lattice);
   const double step = lattice.lattice == LatticeType::simple_cubic ? lattice.spacing : 0.5 * lattice.spacing;
@@ -40,6 +51,7 @@ Planes planes_of(const ParticlesDeck& lattice) {
   const auto steps = [&](double length) { return std::floor((length - lattice.diameter) / step + rounding); };
   const Vec3 size = max - min;
   const Vec3 n = {steps(size.x), steps(size.y), steps(size.z)};
+  check_size(1.0 + n.x * per_half, 1.0 + n.y * per_half, 1.0 + n.z * per_half, block);
   const auto planes = [&](double k) { return static_cast<std::int64_t>(k * per_half) + 1; };
   return {{0.5 * (min.x + max.x) - 0.5 * n.x * step, 0.5 * (min.y + max.y) - 0.5 * n.y * step,
            min.z + 0.5 * lattice.diameter},
@@ -52,7 +64,7 @@ Planes planes_of(const ParticlesDeck& lattice) {
 
 std::vector<Vec3> lattice_sites(const ParticlesDeck& lattice, const std::vector<Wall>& walls,
                                 const std::string& block) {
-  const Planes planes = planes_of(lattice);
+  const Planes planes = planes_of(lattice, block);
   const double radius = 0.5 * lattice.diameter;
   std::vector<Vec3> sites;
   for (std::int64_t z = 0; z < planes.z; ++z) {

@@ -25,9 +25,9 @@ class MeanPlane {
     return {origin_ + (1.0 / weights_) * moments_, {areas_.x / length, areas_.y / length, areas_.z / length}};
   }
   bool holds(const Corners& corners, double tolerance) const {
-    const auto [point, normal] = face();
+    const FlatFace plane = face();
     return std::all_of(corners.begin(), corners.end(),
-                       [&](const Vec3& p) { return std::fabs(dot(p - point, normal)) <= tolerance; });
+                       [&](const Vec3& p) { return std::fabs(dot(p - plane.point, plane.normal)) <= tolerance; });
   }
 
  private:

@@ -32,7 +32,7 @@ void parse_line(std::string_view line, const FilePlace& place, std::string_view 
   std::vector<double> n;
   for (std::size_t k = 0; k + 1 < columns.size(); ++k) n.push_back(parse_number(fields[k], columns[k], place));
   const double radius = n.back();
-  if (!(radius > 0.0)) fail_at(place, fmt::format("radius = {} is not positive", radius));
+  if (!(radius > 0.0)) fail_at(place, fmt::format("radius = {} is not positive; write a length above 0, in m", radius));
   const bool moves = columns.size() == full_columns.size();
   particles.position.push_back({n[0], n[1], n[2]});
   particles.velocity.push_back(moves ? Vec3{n[3], n[4], n[5]} : Vec3{});

@@ -139,7 +139,7 @@ double SizeDistribution::quantile(double u) const {
   const auto [bin, inside] = find(number_, u);
   const auto& [low, high, share] = bins_[bin];
   if (low == high) return low;
-  if (by_ == Weighting::number) return low + inside * (high - low);
+  if (by_ == Weighting::number) return std::min(low + inside * (high - low), high);
   const double a = 1.0 / (low * low);  // the number goes as d^-3 where the mass is even
   const double b = 1.0 / (high * high);
   return std::clamp(1.0 / std::sqrt(a - inside * (a - b)), low, high);
@@ -149,7 +149,7 @@ double SizeDistribution::mass_quantile(double u) const {
   const auto [bin, inside] = find(mass_, u);
   const auto& [low, high, share] = bins_[bin];
   if (low == high) return low;
-  if (by_ == Weighting::mass) return low + inside * (high - low);
+  if (by_ == Weighting::mass) return std::min(low + inside * (high - low), high);
   const double a = low * low * low * low;  // the mass goes as d^3 where the number is even
   const double b = high * high * high * high;
   return std::clamp(std::sqrt(std::sqrt(a + inside * (b - a))), low, high);

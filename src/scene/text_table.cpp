@@ -44,12 +44,13 @@ double parse_number(std::string_view field, std::string_view column, const FileP
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);  // from_chars knows no plus
   const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (problem == std::errc::result_out_of_range) {
-    fail_at(place, fmt::format("{} = {} is out of the range of double precision", column, field));
+    fail_at(place, fmt::format("{} = {} is out of the range of double precision, 1e-308 to 1e308", column, field));
   }
   if (problem != std::errc{} || end != digits.data() + digits.size()) {
-    fail_at(place, fmt::format("{} = \"{}\" is not a number", column, field));
+    fail_at(place, fmt::format("{} = \"{}\" is not a number; write one such as 4.4e-4", column, field));
   }
-  if (!std::isfinite(value)) fail_at(place, fmt::format("{} = {} is not finite", column, field));
+  if (!std::isfinite(value))
+    fail_at(place, fmt::format("{} = {} is not finite; write a number such as 4.4e-4", column, field));
   return value;
 }
 

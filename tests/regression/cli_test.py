@@ -85,6 +85,28 @@ class CommandLine(unittest.TestCase):
         pathlib.Path(self.path("grains.csv")).write_text("x,y,z,vx,vy,vz,wx,wy,wz,radius,material\n" + grains)
         return self.path("deck.toml")
 
+    def test_only_regular_files_are_read(self):
+        """A pipe or a device might never end: an error, not a wait."""
+        deck = self.scene("0,0,0.01,0,0,0,0,0,0,2e-4,carbohsp\n", [])
+        os.mkfifo(self.path("pipe"))
+        for name, what in (("pipe", "a pipe"), (".", "a directory"), ("/dev/zero", "a device"), ("none", "No such file")):
+            changed = pathlib.Path(deck).read_text().replace('"grains.csv"', f'"{name}"')
+            pathlib.Path(self.path("special.toml")).write_text(changed)
+            for ranks in (0, 2):
+                self.fails(4, f"{what}", "check", self.path("special.toml"), ranks=ranks)
+            self.fails(4, what, "run", os.path.join(self.folder.name, name), "--output", self.path("out"))
+        self.fails(4, "cannot read", "check", "/proc/self/mem")
+
+    def test_nothing_in_a_deck_is_executed(self):
+        sentinel = self.path("executed")
+        deck = self.scene("0,0,0.01,0,0,0,0,0,0,2e-4,carbohsp\n", [])
+        for name in (f"$(touch {sentinel})", f"`touch {sentinel}`", f"|touch {sentinel}", f"x; touch {sentinel}"):
+            changed = pathlib.Path(deck).read_text().replace('"grains.csv"', f'"{name}"')
+            pathlib.Path(self.path("shell.toml")).write_text(changed)
+            self.fails(4, "cannot open", "check", self.path("shell.toml"))
+            self.fails(4, "cannot open", "check", name)
+        self.assertFalse(os.path.exists(sentinel))
+
     def test_listed_material_without_pair_is_2(self):
         deck = self.scene("0,0,0.01,0,0,0,0,0,0,2e-4,steel\n", [])
         self.fails(2, r'no \[\[pair\]\] for "steel" and "steel"', "check", deck)

@@ -151,6 +151,9 @@ TEST(DeckErrors, RangesAndUnits) {
        "20:20: \"sliding_friction\" = -0.5 is out of range; it must be >= 0"},
       {"step = 1e-6", "step = 0", "60:8: \"step\" = 0 is out of range; it must be > 0 (in s)"},
       {"step = 1e-6", "step = inf", "60:8: \"step\" must be finite, not inf"},
+      {"step = 1e-6", "step = \"1e999 s\"",
+       "60:8: \"step\": \"1e999 s\" is too large or too small for a double; write a time with one of the units s, ms, "
+       "us, ns"},
       {"step = 1e-6", "step = nan", "60:8: \"step\" must be finite, not nan"},
       {"count = 100", "count = 0", "53:9: \"count\" = 0 is out of range; it must be >= 1"},
       {"[0, 0, -0.05]", "[0, nan, 0]", "33:13: \"point.1\" must be finite, not nan"},
@@ -373,8 +376,40 @@ TEST(DeckErrors, Overrides) {
       {"guards.max_overlap=1\nstep=2", "\"max_overlap\" must be a number, not the text \"1\nstep=2\""},
   };
   for (const Bad& c : cases) {
-    EXPECT_EQ(message_of(example_deck, {c.set_text}), std::string("--set ") + c.set_text + ": " + c.message);
+    const std::string message = std::string("--set ") + c.set_text + ": " + c.message;
+    EXPECT_EQ(message_of(example_deck, {c.set_text}), one_line(message));
   }
+}
+
+TEST(DeckErrors, AMessageIsOneLineWhateverItQuotes) {
+  EXPECT_EQ(
+      message_of("\"a\\nb\\u001B[2J\" = 1\n" + example_deck).find("deck.toml:1:1: unknown key \"a?b?[2J\" in the deck"),
+      0U);
+}
+
+// toml++ makes a table of each part of a key and takes them apart by recursion: 200000 of them end the process.
+TEST(DeckErrors, AKeyOfManyPartsIsRefusedUnread) {
+  std::string key = "a";
+  for (int i = 0; i < 200000; ++i) key += ".a";
+  const std::string message = "deck.toml: a key has more than 20 parts";
+  EXPECT_EQ(message_of(key + " = 1\n"), message);
+  EXPECT_EQ(message_of("[" + key + "]\n"), message);
+  EXPECT_EQ(message_of("a = {b = \"\"\"x\"\"\"\", " + key + " = 1}\n"), message);
+  EXPECT_EQ(message_of("a = 'b\\'\n" + key + " = 1\n"), message);
+  EXPECT_NE(message_of(example_deck, {key + "=1"}).find(": a key has more than 20 parts"), std::string::npos);
+  EXPECT_NE(message_of(example_deck, {"run.title={" + key + "=1}"}).find("more than 20 parts"), std::string::npos);
+}
+
+TEST(DeckErrors, ManyDotsElsewhereAreNoKey) {
+  const std::string dots(100, '.');
+  const std::string title = "# " + dots + "\n[run]\ntitle = \"\"\"\\\"\"\"" + dots + "\n" + dots + "\"\"\"\n";
+  EXPECT_EQ(message_of(title + example_deck), "no error");
+  EXPECT_EQ(message_of(example_deck, {"run.title='" + dots + "'"}), "no error");
+}
+
+TEST(DeckErrors, AnOverrideIsUtf8) {
+  EXPECT_EQ(message_of(example_deck, {"run.title=Grie\xC3\x9F"}), "no error");
+  EXPECT_EQ(message_of(example_deck, {"run.title=Grie\xDF"}), "--set run.title=Grie\xDF: write it in UTF-8");
 }
 
 TEST(DeckErrors, AnOverrideThatOpensASectionOwesItsKeys) {

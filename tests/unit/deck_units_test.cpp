@@ -68,6 +68,9 @@ TEST(Units, SayWhatIsAccepted) {
       {"5 MM", Unit::metre, "\"5 MM\" is not a length"},
       {"1e308 km", Unit::metre, "\"1e308 km\" is too large or too small for a double"},
       {"1e999 m", Unit::metre, "\"1e999 m\" is too large or too small for a double"},
+      {"1e99999999999 m", Unit::metre, "\"1e99999999999 m\" is too large or too small for a double"},
+      {"1e-99999999999 m", Unit::metre, "\"1e-99999999999 m\" is too large or too small for a double"},
+      {"1e2147483647 km", Unit::metre, "\"1e2147483647 km\" is too large or too small for a double"},
       {"1e-320 nm", Unit::metre, "\"1e-320 nm\" is too large or too small for a double"},
   };
   for (const Bad& c : cases) EXPECT_EQ(parse_quantity(c.text, c.unit).problem, c.problem + lengths);

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "output/agreement.h"
+#include "output/file_seal.h"
 #include "output/snapshot.h"
 #include "output/snapshot_reader.h"
 #include "output_samples.h"
@@ -87,8 +88,22 @@ TEST_F(SnapshotTest, WhatIsNoSnapshotOrHasUnknownMaterialsIsNotRead) {
   };
   EXPECT_EQ(error_of(bytes), "back.hdf: no material is named \"glass\"; add it to the deck");
   EXPECT_EQ(error_of("x,y,z").find("back.hdf: cannot read as a snapshot"), 0U) << error_of("x,y,z");
-  EXPECT_EQ(error_of(bytes.substr(0, bytes.size() / 2)).find("back.hdf: cannot read"), 0U);
+  EXPECT_EQ(error_of(bytes.substr(0, bytes.size() / 2)).find("back.hdf: its length, "), 0U);
   EXPECT_EQ(error_of("").find("back.hdf: cannot read"), 0U) << error_of("");
+}
+
+TEST_F(SnapshotTest, EveryFlippedBitIsNoticed) {
+  write("seal.hdf", sample_table(comm_, 10));
+  std::string bytes = file_bytes(folder_ / "seal.hdf");
+  const std::size_t first = std::string("repose file of ").size();  // damaged before, it is no file of repose's
+  for (std::size_t at = first; at < bytes.size(); at += at < 600 ? 1 : 37) {
+    const char bit = static_cast<char>(1 << (at % 8));
+    bytes[at] ^= bit;
+    EXPECT_THROW(check_seal_if_any(bytes, "seal.hdf"), FileError) << at;
+    bytes[at] ^= bit;
+  }
+  EXPECT_NO_THROW(check_seal_if_any(bytes, "seal.hdf"));
+  check_seal(comm_, (folder_ / "seal.hdf").string());
 }
 
 TEST_F(SnapshotTest, BytesDoNotDependOnRanksOrBlocks) {

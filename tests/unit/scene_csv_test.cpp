@@ -77,6 +77,11 @@ TEST(ParticleCsv, NamesTheBadLine) {
   expect_error(header + "nan,0,0,0,0,0,0,0,0,1,glass\n", "grains.csv:2: ", "not finite");
   expect_error(header + "0,0,0,0,0,inf,0,0,0,1,glass\n", "grains.csv:2: ", "not finite");
   expect_error(header + "0,0,0,0,0,0,1e999,0,0,1,glass\n", "grains.csv:2: ", "out of the range");
+  expect_error(header + "0,0,0,0,0,0,0,0,0,nan,glass\n",
+               "grains.csv:2: ", "radius = nan is not finite; write a number");
+  expect_error(header + "0,0,0,0,0,0,0,0,0,inf,glass\n", "grains.csv:2: ", "radius = inf is not finite");
+  expect_error("x,y,z,radius,material\n0,0,-infinity,1,glass\n", "grains.csv:2: ", "z = -infinity is not finite");
+  expect_error(header + "0,0,0,0,0,0,0,0,0,1,gl\rass\n", "grains.csv:2: ", "\"gl?ass\"; the deck has: glass, steel");
   expect_error(header + "0,0,0,0,0,0,0,0,0,0,glass\n", "grains.csv:2: ", "radius = 0 is not positive");
   expect_error(header + "0,0,0,0,0,0,0,0,0,-1,glass\n", "grains.csv:2: ", "not positive");
   expect_error(header + "0,0,0,0,0,0,0,0,0,1,wood\n", "grains.csv:2: ", "\"wood\"; the deck has: glass, steel");

@@ -58,6 +58,8 @@ TEST(FillCount, IsTheMassToWithinOneParticle) {
   ParticlesDeck counted = column();
   counted.count = 17;
   EXPECT_EQ(fill_count(counted, 3592.0, "block"), 17);
+  counted.count = 1'000'000'000'000;
+  EXPECT_THROW(fill_count(counted, 3592.0, "block"), DeckError);  // 8 TB for the radii alone
 }
 
 TEST(FillCount, RefusesNone) {

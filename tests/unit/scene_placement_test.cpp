@@ -114,6 +114,18 @@ TEST(Lattice, HasItsSitesPerCellAndItsNearestNeighbours) {
   EXPECT_EQ(fcc.front(), (Vec3{1e-3, 2e-3, 3e-3}));
 }
 
+TEST(Lattice, OfTooManySitesIsRefused) {
+  ParticlesDeck many = lattice(LatticeType::simple_cubic);
+  many.counts = {9223372036854775807, 1, 1};
+  EXPECT_THROW(lattice_sites(many, {}, "block"), DeckError);
+  many.counts = {1'000'000, 1'000'000, 1};
+  EXPECT_THROW(lattice_sites(many, {}, "block"), DeckError);
+  many.counts.clear();
+  many.region = RegionShape::box;
+  many.max = {1e300, 1e300, 1e300};
+  EXPECT_THROW(lattice_sites(many, {}, "block"), DeckError);
+}
+
 TEST(Lattice, FillsARegionToItsEndsAndLeavesWallsOut) {
   ParticlesDeck box = lattice(LatticeType::simple_cubic);
   box.counts.clear();

@@ -50,6 +50,10 @@ TEST(SizeCsv, NamesTheBadLine) {
   expect_error(header + "200,0\n400,50\n700,40\n", "sieves.csv:4: ", "cumulative_mass = 40 is less than");
   expect_error("diameter_um,share_mass\n200,0\n400,-1\n", "sieves.csv:3: ", "share_mass = -1 is negative");
   expect_error(header + "200,0,1\n", "sieves.csv:2: ", "3 fields instead of 2");
+  expect_error(header + "nan,0\n", "sieves.csv:2: ", "diameter = nan is not finite; write a number");
+  expect_error(header + "200,0\ninf,1\n", "sieves.csv:3: ", "diameter = inf is not finite; write a number");
+  expect_error(header + "200,0\n400,-inf\n", "sieves.csv:3: ", "cumulative_mass = -inf is not finite");
+  expect_error(header + "200,0\n1e999,1\n", "sieves.csv:3: ", "diameter = 1e999 is out of the range of double");
   expect_error(header + "200,none\n", "sieves.csv:2: ", "cumulative_mass = \"none\" is not a number");
 }
 

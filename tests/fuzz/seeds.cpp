@@ -1,0 +1,131 @@
+// Writes what the fuzzers begin with: fuzz_seeds INPUT_FOLDER FOLDER makes FOLDER/TARGET/* and the dictionary
+// FOLDER/deck.dict.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include "deck/resolved_deck.h"
+#include "support/meshes.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// Into an empty folder: a seed of an earlier build must not stay.
+class Seeds {
+ public:
+  explicit Seeds(fs::path folder) : folder_(std::move(folder)) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void add(const std::string& name, const std::string& input) const {
+    std::ofstream(folder_ / name, std::ios::binary) << input;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+void add_decks(const fs::path& input, const Seeds& seeds) {
+  for (const auto& entry : fs::directory_iterator(input)) {
+    if (entry.path().extension() == ".toml") seeds.add(entry.path().filename(), text_of(entry.path()));
+  }
+  seeds.add("overrides", text_of(input / "discharge_quick.toml") +
+                             "\n--set particles.0.mass=0.05 g\n--set phase.settle.max_time=0.3\n--set run.title=a");
+}
+
+void add_particle_lists(const Seeds& seeds) {
+  seeds.add("full",
+            "x,y,z,vx,vy,vz,wx,wy,wz,radius,material\n1,2,3,4,5,6,7,8,9,0.5,steel\n-1e-3,+2,0,0,0,0,0,0,0,0.1,glass\n");
+  seeds.add("short", "\xEF\xBB\xBF# grains\r\nx, y, z, radius, material\r\n\r\n0,0,1e-3,2.2e-4,glass\r\n");
+}
+
+void add_size_analyses(const Seeds& seeds) {
+  seeds.add("cumulative", "diameter_um,cumulative_mass\n200,0\n400,40\n700,100\n");
+  seeds.add("differential", "# laser\n\"diameter_mm\", share_number\n0.2,0\n0.4,2\n0.7,3\n");
+}
+
+void add_meshes(const Seeds& seeds) {
+  const auto body = repose::test::box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0});
+  seeds.add("ascii", repose::test::ascii_stl(body));
+  seeds.add("binary", repose::test::binary_stl(body));
+}
+
+void add_snapshots(const Seeds& seeds) {
+  const std::string vectors =
+      "/particles/position f64 2x3 = 0.1 0 -1e-3 1 2 3\n/particles/velocity f64 2x3 = 0 0 0 0 0 -1\n"
+      "/particles/angular_velocity f64 2x3 = 0 0 0 1 0 0\n";
+  seeds.add("plain", vectors +
+                         "/particles/radius f64 2 = 1e-4 2e-4\n/particles/material i32 2 = 0 1\n"
+                         "@materials text 2 = glass steel\n");
+  seeds.add("deflated",
+            "/particles/position f64 1x3 chunk 1 deflate = 0.1 0 -1e-3\n"
+            "/particles/velocity f64 1x3 chunk 1 = 0 0 0\n/particles/angular_velocity f32 1x3 = 0 0 0\n"
+            "/particles/radius f32 1 chunk 1 deflate = 1e-4\n/particles/material i64 1 = 0\n"
+            "@materials text 1 = steel\n/particles/id i64 1 = 7\n/particles/mass f64 1 = 1e-6\n");
+}
+
+void add_checkpoints(const Seeds& seeds) {
+  seeds.add("contacts",
+            "@repose_checkpoint i64 = 1\n@step i64 = 700\n@time_s f64 = 0.01\n@state_hash text 1 = 0f\n"
+            "@deck text 1 = x\n@build_version text 1 = 1\n@build_commit text 1 = c\n/state i8 2 = 123 125\n"
+            "/particles/id i64 2 = 0 1\n/particles/material i32 2 = 0 0\n/particles/position f64 2x3 = 0 0 0 1 0 0\n"
+            "/particles/velocity f64 2x3 = 0 0 0 1 0 0\n/particles/spin f64 2x3 = 0 0 0 1 0 0\n"
+            "/particles/radius f64 2 = 0.5 0.5\n/particles/force_sum i64 2x3 = 1 2 3 -1 -2 -3\n"
+            "/particles/torque_sum i64 2x3 = 0 0 0 0 0 0\n/particles/pair_contacts i64 2 = 1 1\n"
+            "/particles/wall_contacts i64 2 = 0 1\n/pair_contacts/partner i64 2 = 1 0\n"
+            "/pair_contacts/history f64 2x6 = 0 0 1 0 0 0 0 0 1 0 0 0\n/wall_contacts/wall i32 1 = 0\n"
+            "/wall_contacts/feature i32 1 = 3\n/wall_contacts/history f64 1x6 = 0 0 0 0 0 1\n");
+}
+
+void add_states(const Seeds& seeds) {
+  seeds.add("all",
+            R"({"all": {"left": {"particles": [1, 0, 0, 0, 2, 0], "mass": [5, 0, 0, 0, 9, 0], "named_particles": [1],
+"named_mass": [5]}, "discharge": {"samples": [{"time": 0.1, "mass": 2e-3}]}, "tilt_onset": {"start": [0, 0, 1e-3],
+"material": 1, "cannot_turn": false, "bound": 1e-6, "last_tilt": 0.2, "last_way": 0.0, "onset": null},
+"phases": [{"name": "fill", "steps": 100, "ended_by": "time"}],
+"motions": [{"clocks": [{"steps": 7, "runs": true}, {"steps": 0, "runs": false}]}]}})");
+}
+
+/// Every word of `repose keys` that is a key, a section or a choice.
+std::string dictionary() {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : repose::key_reference() + " ") {
+    const bool is_part = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    if (is_part) word += c;
+    if (!is_part && word.size() > 2) words.insert(word);
+    if (!is_part) word.clear();
+  }
+  std::string text;
+  for (const std::string& w : words) text += "\"" + w + "\"\n";
+  for (const char* more : {"1e308", "-1e-320", "9223372036854775807", "1000000000000", "nan", "inf", " mm",
+                           "e99999999999 m", "rpm", "[[", "]]", "\\x0A--set "}) {
+    text += std::string("\"") + more + "\"\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  const fs::path folder = argv[2];
+  add_decks(argv[1], Seeds(folder / "deck"));
+  add_particle_lists(Seeds(folder / "particle_csv"));
+  add_size_analyses(Seeds(folder / "size_csv"));
+  add_meshes(Seeds(folder / "stl"));
+  add_snapshots(Seeds(folder / "snapshot"));
+  add_checkpoints(Seeds(folder / "checkpoint"));
+  add_states(Seeds(folder / "state"));
+  std::ofstream(folder / "deck.dict") << dictionary();
+  return 0;
+}

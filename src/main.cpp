@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -78,6 +79,7 @@ void dispatch(const Communicator& comm, const CommandLine& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files: an error of the write, with its message
   const repose::MpiGuard mpi(&argc, &argv);
   const repose::Communicator world(MPI_COMM_WORLD);
   try {

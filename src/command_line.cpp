@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
+#include "stop_request.h"
 
 namespace repose {
 namespace {
@@ -21,6 +22,12 @@ CLI::App* add_run(CLI::App& app, CommandLine& line) {
   run->add_option("--vector-level", line.vector_level, "vector instructions; they change the speed, never the result")
       ->check(CLI::IsMember({"auto", "sse2", "avx2", "avx512"}))
       ->capture_default_str();
+  run->add_flag("--restart", line.restart,
+                "go on from the newest checkpoint in DIR, on any number of ranks; without one begin");
+  run->add_option_function<std::string>(
+         "--time-limit", [&](const std::string& limit) { line.time_limit = seconds_of(limit); },
+         "stop in time with a checkpoint and exit code 75")
+      ->type_name("HH:MM:SS");
   run->add_flag("--quiet", line.quiet, "no progress lines");
   return run;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct CommandLine {
   std::vector<std::string> overrides;  ///< run, check: "key=value" of each --set, in order
   std::string vector_level = "auto";   ///< run: auto, sse2, avx2, avx512
   bool quiet = false;                  ///< run: no progress lines
+  bool restart = false;                ///< run: go on from the newest checkpoint
+  std::optional<double> time_limit;    ///< run: s of wall time
 };
 
 /// Parses the command line and prints nothing. Throws DeckError (exit code 2) with one line when it is wrong.

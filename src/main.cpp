@@ -11,8 +11,10 @@
 #include "command_line.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
+#include "finished_run.h"
 #include "run.h"
 #include "shared_file.h"
+#include "stop_request.h"
 
 namespace {
 
@@ -48,11 +50,18 @@ std::string closing_lines(const Summary& s, const std::string& directory) {
   return text + fmt::format("state {}\nresults in {}\n", s.state_hash, directory);
 }
 
-void run(const Communicator& comm, const CommandLine& command) {
+void run(const Communicator& comm, const CommandLine& command, StopRequest& stop) {
+  stop.set_time_limit(command.time_limit);
   const VectorLevel level = vector_level_from(command.vector_level);
   const Deck deck = read_deck(read_shared_file(comm, command.deck), command.deck, command.overrides);
-  const OutputOptions options = {command.output, resolved_deck(deck), build_info(to_string(level)), command.quiet};
-  const Summary summary = run_deck(comm, deck, reader_beside(comm, command.deck), level, options);
+  const OutputOptions options = {command.output, resolved_deck(deck), build_info(to_string(level)), command.quiet,
+                                 command.restart};
+  if (command.restart && is_finished(comm, command.output, options.resolved_deck)) {
+    say(comm, fmt::format("the run is complete already: results in {}\n", command.output));
+    return;
+  }
+  const Summary summary = run_deck(comm, deck, reader_beside(comm, command.deck), level, options,
+                                   [&](double needed) { return stop.reason(needed); });
   say(comm, closing_lines(summary, command.output));
 }
 
@@ -61,10 +70,10 @@ void check(const Communicator& comm, const CommandLine& command) {
   say(comm, check_report(deck, reader_beside(comm, command.deck), comm.size()));
 }
 
-void dispatch(const Communicator& comm, const CommandLine& command) {
+void dispatch(const Communicator& comm, const CommandLine& command, StopRequest& stop) {
   switch (command.action) {
     case CommandLine::Action::run:
-      return run(comm, command);
+      return run(comm, command, stop);
     case CommandLine::Action::check:
       return check(comm, command);
     case CommandLine::Action::keys:
@@ -80,10 +89,11 @@ void dispatch(const Communicator& comm, const CommandLine& command) {
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files: an error of the write, with its message
+  repose::StopRequest stop;       // before MPI starts: the time limit includes its start
   const repose::MpiGuard mpi(&argc, &argv);
   const repose::Communicator world(MPI_COMM_WORLD);
   try {
-    dispatch(world, repose::parse_command_line(argc, argv));
+    dispatch(world, repose::parse_command_line(argc, argv), stop);
     return 0;
   } catch (const repose::Error& error) {  // agreed among the ranks: all of them get here
     if (world.is_root()) fmt::print(stderr, "repose: {}\n", error.what());

@@ -33,16 +33,28 @@ void MovingScene::set_wall_present(const std::string& name, bool present) {
   if (wall != walls_.end()) wall->present = present;
 }
 
+void MovingScene::place(double dt) {
+  held_.place(dt);
+  for (Wall& wall : walls_) {
+    if (!wall.motions.empty()) repose::place(wall, dt);
+  }
+  if (tilt_steps_ > 0) tilt_gravity(dt);
+}
+
 void MovingScene::step(double dt, Particles& particles) {
   held_.step(dt);
   held_.hold(particles);
   for (Wall& wall : walls_) {
     if (wall.motions.empty()) continue;
     wall.motions.step();
-    place(wall, dt);
+    repose::place(wall, dt);
   }
   if (!tilts_) return;
   ++tilt_steps_;
+  tilt_gravity(dt);
+}
+
+void MovingScene::tilt_gravity(double dt) {
   tilt_angle_ = static_cast<double>(tilt_steps_) * dt * tilt_.angular_velocity;
   gravity_ = turned(gravity_at_start_, unit_vector(tilt_.axis_direction), sin_cos_reproducible(-tilt_angle_));
 }

@@ -28,6 +28,16 @@ class MovingScene {
   /// Adds or removes a named wall.
   void set_wall_present(const std::string& name, bool present);
 
+  /// After reading it, place has to be called.
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v.each("walls", self.walls_);
+    v("held", self.held_);
+    v("tilt_steps", self.tilt_steps_);
+  }
+  /// Brings everything to where it is after all steps so far of `dt` s.
+  void place(double dt);
+
   /// Everything moves on by one step of `dt` s, the held particles among `particles` too.
   void step(double dt, Particles& particles);
   /// Gives the held particles position, velocity and spin as they have to be now.
@@ -41,6 +51,8 @@ class MovingScene {
   bool is_tilting() const { return tilts_; }
 
  private:
+  void tilt_gravity(double dt);
+
   std::vector<Wall> walls_;
   bool walls_travel_;
   HeldParticles held_;

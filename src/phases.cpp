@@ -20,14 +20,17 @@ std::int64_t longest_steps(const PhaseDeck& phase, double timestep) {
   return longest;
 }
 
-Phase::Phase(const PhaseDeck& deck, Simulation& simulation)
+Phase::Phase(const PhaseDeck& deck, Simulation& simulation) : Phase(deck, simulation, simulation.steps()) {
+  for (const std::string& wall : deck.remove_walls) simulation.set_wall_present(wall, false);
+  for (const std::string& wall : deck.add_walls) simulation.set_wall_present(wall, true);
+}
+
+Phase::Phase(const PhaseDeck& deck, Simulation& simulation, std::int64_t first_step)
     : deck_(deck),
-      first_step_(simulation.steps()),
+      first_step_(first_step),
       least_(steps_for(deck.min_time, simulation.time_step().step)),
       longest_(longest_steps(deck, simulation.time_step().step)) {
   simulation.begin_phase(deck.name);
-  for (const std::string& wall : deck.remove_walls) simulation.set_wall_present(wall, false);
-  for (const std::string& wall : deck.add_walls) simulation.set_wall_present(wall, true);
 }
 
 std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::int64_t check_every,

@@ -19,6 +19,8 @@ class Phase {
  public:
   /// Collective. Adds and removes the phase's walls and starts its motions.
   Phase(const PhaseDeck& deck, Simulation& simulation);
+  /// Collective. Goes on with a phase that began at `first_step`.
+  Phase(const PhaseDeck& deck, Simulation& simulation, std::int64_t first_step);
 
   /// Collective. Empty while the phase goes on; else the condition that ended it: "kinetic_energy", "time", "steps",
   /// "tilt_onset" or "max_time". Energies are looked at every `check_every` steps, but not while particles are poured;
@@ -26,6 +28,7 @@ class Phase {
   std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every,
                                       bool onset_seen = false) const;
 
+  std::int64_t first_step() const { return first_step_; }
   std::int64_t steps_done(const Simulation& simulation) const { return simulation.steps() - first_step_; }
   std::int64_t steps_left(const Simulation& simulation) const { return longest_ - steps_done(simulation); }
   const PhaseDeck& deck() const { return deck_; }

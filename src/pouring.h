@@ -37,6 +37,12 @@ class Pouring {
   bool is_under_way(std::int64_t step) const;
   bool is_complete() const { return next_step_ == never; }
 
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v.each("flows", self.flows_);
+    v("next_step", self.next_step_);
+  }
+
   /// Collective. The particles that enter at next_step(), the same on all ranks: of those that are due the first ones,
   /// in their order, as long as each finds a place where it meets no particle and no present wall. The others wait for
   /// the next batch. `particles` after the drift. PhysicsError when one has waited for too many batches.
@@ -50,6 +56,12 @@ class Pouring {
     std::int64_t every;  ///< steps between batches
     std::int64_t next;   ///< step of the next batch
     std::int64_t entered = 0;
+
+    template <class Self, class Visitor>
+    static void describe_state(Self& self, Visitor& v) {
+      v("next", self.next);
+      v("entered", self.entered);
+    }
   };
   struct Batch;
   void enter(Flow& flow, Batch& batch) const;

@@ -20,6 +20,7 @@
 #include "output/directory.h"
 #include "output/progress.h"
 #include "output/snapshot.h"
+#include "output/step_file.h"
 #include "pile_measurement.h"
 
 namespace repose {
@@ -59,7 +60,7 @@ std::int64_t every(double interval, double timestep) {
 
 }  // namespace
 
-Recorder::Recorder(const Simulation& simulation, const OutputOptions& options)
+Recorder::Recorder(const Simulation& simulation, const OutputOptions& options, Existing existing)
     : options_(options),
       series_every_(every(simulation.deck().output.series_interval, simulation.time_step().step)),
       snapshot_every_(every(simulation.deck().output.snapshot_interval, simulation.time_step().step)),
@@ -75,16 +76,37 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options)
       std::find_if(deck.phases.begin(), deck.phases.end(), [](const PhaseDeck& p) { return !p.remove_walls.empty(); });
   opening_phase_ = opening == deck.phases.end() ? deck.phases.front().name : opening->name;
   agree_after_root(simulation.comm(), [&] {
-    remove_earlier_results();
+    if (existing == Existing::replace) remove_earlier_results();
     write_text_file(path("deck.resolved.toml"), options_.resolved_deck);
-    series_ = std::make_unique<TimeSeries>(path("series.csv"), columns_of(deck));
-    if (deck.output.trace) trace_ = std::make_unique<Trace>(path("trace.csv"));
+    series_ = std::make_unique<TimeSeries>(path("series.csv"), columns_of(deck), existing);
+    if (deck.output.trace) trace_ = std::make_unique<Trace>(path("trace.csv"), existing);
   });
-  if (!deck.walls.empty()) wall_loads_.emplace(simulation, path("walls.csv"));
-  if (deck.surface_angle.enabled) surface_angle_.emplace(simulation, path("surface_angle.csv"));
+  if (!deck.walls.empty()) wall_loads_.emplace(simulation, path("walls.csv"), existing);
+  if (deck.surface_angle.enabled) surface_angle_.emplace(simulation, path("surface_angle.csv"), existing);
   if (deck.tilt_onset.enabled) tilt_onset_.emplace(deck.tilt_onset);
   inside_ = inside(simulation);
-  if (deck.output.trace) write_trace(simulation);
+  if (deck.output.trace && existing == Existing::replace) write_trace(simulation);
+}
+
+void Recorder::resume(const Simulation& simulation) {
+  ++earlier_.restarts;
+  inside_ = inside(simulation);
+  counted_steps_ = simulation.steps();
+  last_progress_step_ = simulation.steps();
+  agree_after_root(simulation.comm(), [&] { remove_snapshots_after(simulation.steps()); });
+}
+
+void Recorder::sync_files(const Communicator& comm) {
+  agree_after_root(comm, [&] {
+    series_->sync();
+    if (trace_) trace_->sync();
+    if (wall_loads_) wall_loads_->sync();
+    if (surface_angle_) surface_angle_->sync();
+  });
+}
+
+Effort Recorder::effort() const {
+  return {earlier_.wall_seconds + seconds_since(start_), earlier_.particle_steps + particle_steps_, earlier_.restarts};
 }
 
 /// What an earlier run has left in the same directory would pass for this one's.
@@ -93,9 +115,13 @@ void Recorder::remove_earlier_results() const {
        {"summary.json", "silhouette.png", "run.hdf.series", "trace.csv", "walls.csv", "surface_angle.csv"}) {
     std::filesystem::remove(path(name));
   }
+  remove_snapshots_after(-1);
+}
+
+void Recorder::remove_snapshots_after(std::int64_t step) const {
   for (const auto& entry : std::filesystem::directory_iterator(options_.directory)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("run_") && name.ends_with(".hdf")) std::filesystem::remove(entry.path());
+    const auto of = step_of_file(entry.path().filename().string(), "run_");
+    if (of && *of > step) std::filesystem::remove(entry.path());
   }
 }
 
@@ -219,7 +245,7 @@ void Recorder::write_snapshot_now(const Simulation& simulation) {
   header.inside = inside(simulation);
   header.left = header.inserted - header.inside;
   for (const MaterialDeck& m : simulation.deck().materials) header.materials.push_back(m.name);
-  const std::string name = fmt::format("run_{:010d}.hdf", simulation.steps());
+  const std::string name = file_of_step("run_", simulation.steps());
   write_snapshot(comm, path(name),
                  collect_particles(comm, simulation.materials(), simulation.particles(), simulation.planned()), header);
   agree_after_root(comm, [&] { snapshots_.add(name, simulation.time()); });
@@ -296,8 +322,10 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
     summarise_pile(simulation, path("silhouette.png"), s);
   if (surface_angle_) surface_angle_->summarise(s);
   if (tilt_onset_) summarise_tilt_onset(simulation, read_file, *tilt_onset_, s);
-  s.wall_seconds = seconds_since(start_);
-  s.particle_steps_per_second = particle_steps_ / s.wall_seconds;
+  const Effort all = effort();
+  s.restarts = all.restarts;
+  s.wall_seconds = all.wall_seconds;
+  s.particle_steps_per_second = all.particle_steps / all.wall_seconds;
   s.build = options_.build;
   s.deck = options_.resolved_deck;
   agree_after_root(comm, [&] { write_summary(path("summary.json"), s); });

@@ -171,9 +171,14 @@ Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
   return comm_.max(short_here) != 0 ? ListState::outer_stale : ListState::inner_stale;
 }
 
-void Simulation::rebuild_lists() {
+ContactMemory Simulation::contact_memory() const {
+  return {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)};
+}
+
+void Simulation::rebuild_lists() { rebuild_lists(contact_memory()); }
+
+void Simulation::rebuild_lists(ContactMemory memory) {
   wrap_positions(particles_);
-  ContactMemory memory = {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)};
   if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
   balance();
   pairs_.clear();  // a large bed has no room for the old lists beside the new ones

@@ -32,6 +32,13 @@ struct RunCounters {
   std::int64_t bisections = 0;        ///< new decompositions
   double imbalance = 1.0;             ///< cost of the busiest rank over the mean, at the last rebuild
   std::int64_t peak_ghosts = 0;       ///< most ghosts at a time
+
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("rebuilds", self.rebuilds);
+    v("inner_selections", self.inner_selections);
+    v("bisections", self.bisections);
+  }
 };
 
 /// One DEM simulation on the ranks of a communicator: state and time loop. It opens no file; phases, measurements and
@@ -55,6 +62,22 @@ class Simulation {
   void set_wall_present(const std::string& name, bool present) { scene_.set_wall_present(name, present); }
   /// Starts the motions and the tilt that belong to a phase, and stops the others.
   void begin_phase(const std::string& name) { scene_.begin_phase(name); }
+
+  /// What the contacts of the owned particles remember.
+  ContactMemory contact_memory() const;
+  /// What is the same on all ranks; particles, contacts and what has left are not in it.
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("steps", self.steps_);
+    v("scene", self.scene_);
+    v("pouring", self.pouring_);
+    v("counters", self.counters_);
+    v("warned_of_time_step", self.warned_of_time_step_);
+  }
+  /// Collective. Once describe_state has been read, replaces everything else by what the ranks bring of another
+  /// simulation of the same deck: particles with their force sums, by any rank, what their contacts remember, and what
+  /// had left all ranks. The next steps give the same bits as those of the other simulation.
+  void restore(Particles particles, ContactMemory memory, const ExitCount& left);
 
   const Communicator& comm() const { return comm_; }
   const Deck& deck() const { return deck_; }
@@ -93,6 +116,7 @@ class Simulation {
   bool pour();
   void admit(ContactMemory& memory);
   void rebuild_lists();
+  void rebuild_lists(ContactMemory memory);
   void balance();
   void check_time_step();
   void count_leavers();

@@ -11,12 +11,13 @@
 
 namespace repose {
 
-SurfaceAngleSeries::SurfaceAngleSeries(const Simulation& simulation, const std::string& path)
+SurfaceAngleSeries::SurfaceAngleSeries(const Simulation& simulation, const std::string& path, Existing existing)
     : first_(steps_for(simulation.deck().surface_angle.from, simulation.time_step().step)),
       every_(
           std::max<std::int64_t>(1, steps_for(simulation.deck().surface_angle.interval, simulation.time_step().step))) {
   agree_after_root(simulation.comm(), [&] {
-    series_ = std::make_unique<TimeSeries>(path, std::vector<std::string>{"step", "time_s", "surface_angle_deg"});
+    series_ =
+        std::make_unique<TimeSeries>(path, std::vector<std::string>{"step", "time_s", "surface_angle_deg"}, existing);
   });
 }
 

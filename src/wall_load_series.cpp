@@ -5,14 +5,14 @@
 
 namespace repose {
 
-WallLoadSeries::WallLoadSeries(const Simulation& simulation, const std::string& path) {
+WallLoadSeries::WallLoadSeries(const Simulation& simulation, const std::string& path, Existing existing) {
   std::vector<std::string> columns = {"step", "time_s"};
   for (const Wall& wall : simulation.walls()) {
     for (const char* quantity : {"force_x_N", "force_y_N", "force_z_N", "torque_x_Nm", "torque_y_Nm", "torque_z_Nm"}) {
       columns.push_back(wall.name + "_" + quantity);
     }
   }
-  agree_after_root(simulation.comm(), [&] { series_ = std::make_unique<TimeSeries>(path, columns); });
+  agree_after_root(simulation.comm(), [&] { series_ = std::make_unique<TimeSeries>(path, columns, existing); });
 }
 
 void WallLoadSeries::write(const Simulation& simulation) {

@@ -6,7 +6,7 @@
 namespace repose {
 
 /// Exit codes of the program, one per kind of failure (README).
-enum class ExitCode { done = 0, usage = 2, physics = 3, file = 4 };
+enum class ExitCode { done = 0, usage = 2, physics = 3, file = 4, stopped = 75 };
 
 /// An error that ends a run: one line that says where, what, and what would be right.
 class Error : public std::runtime_error {
@@ -28,6 +28,12 @@ class DeckError : public Error {
 class PhysicsError : public Error {
  public:
   explicit PhysicsError(const std::string& message) : Error(ExitCode::physics, message) {}
+};
+
+/// The run was asked to stop and can go on from a checkpoint: submit it again.
+class Stopped : public Error {
+ public:
+  explicit Stopped(const std::string& message) : Error(ExitCode::stopped, message) {}
 };
 
 /// A file cannot be read or written.

@@ -81,6 +81,10 @@ void describe(V& v, OutputDeck& o) {
   v("snapshot_times", o.snapshot_times, Unit::second, at_least(0), optional, "further snapshots");
   v("series_interval", o.series_interval, Unit::second, above(0), optional, "time between rows of the time series");
   v("progress_seconds", o.progress_seconds, Unit::second, above(0), optional, "wall-clock time between progress lines");
+  v("checkpoint_minutes", o.checkpoint_minutes, Unit::none, at_least(0), optional,
+    "wall-clock minutes between checkpoints; 0: not by time");
+  v("checkpoint_steps", o.checkpoint_steps, Unit::none, at_least(0), optional,
+    "steps between checkpoints; 0: not by steps");
   v("trace", o.trace, Unit::none, any_value, optional, "write every particle to a CSV file; for small cases");
   v("trace_every", o.trace_every, Unit::none, at_least(1), optional, "steps between rows of the trace");
 }

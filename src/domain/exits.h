@@ -22,6 +22,14 @@ struct ExitCount {
   std::array<std::int64_t, 6> mass{};  ///< in the run's MassUnit
   std::vector<std::int64_t> named_particles = {};
   std::vector<std::int64_t> named_mass = {};
+
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("particles", self.particles);
+    v("mass", self.mass);
+    v("named_particles", self.named_particles);
+    v("named_mass", self.named_mass);
+  }
 };
 
 /// Collective. What has left all ranks.

@@ -42,10 +42,12 @@ void HeldParticles::list(Particles& particles) {
 }
 
 void HeldParticles::step(double dt) {
-  for (Block& block : blocks_) {
-    block.motions.step();
-    block.placement = block.motions.placement(dt);
-  }
+  for (Block& block : blocks_) block.motions.step();
+  place(dt);
+}
+
+void HeldParticles::place(double dt) {
+  for (Block& block : blocks_) block.placement = block.motions.placement(dt);
 }
 
 void HeldParticles::hold(Particles& particles) const {

@@ -18,6 +18,12 @@ class HeldParticles {
   HeldParticles() = default;
   HeldParticles(const Deck& deck, const Insertion& insertion);
 
+  /// After reading it, place has to be called.
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v.each("blocks", self.blocks_);
+  }
+
   void begin_phase(const std::string& phase);
   /// Finds them among the owned particles of this rank, and makes forces or torques without effect on them. To be
   /// called when the particles have been sorted anew.
@@ -25,6 +31,8 @@ class HeldParticles {
 
   /// One step of `dt` s has passed.
   void step(double dt);
+  /// Brings the blocks to where their motions are after all steps so far of `dt` s.
+  void place(double dt);
   /// Puts the listed particles to where they are now, with the velocity and spin of their motion.
   void hold(Particles& particles) const;
   /// Whether one of them has used up its skin, where hold has put it.
@@ -40,6 +48,11 @@ class HeldParticles {
     Placement placement;
 
     bool contains(std::int64_t id) const { return id >= first && id < end; }
+
+    template <class Self, class Visitor>
+    static void describe_state(Self& self, Visitor& v) {
+      v("motions", self.motions);
+    }
   };
   struct Held {
     std::size_t index;  ///< of the particle

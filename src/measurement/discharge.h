@@ -10,6 +10,12 @@ namespace repose {
 struct DischargeSample {
   double time = 0.0;
   double mass = 0.0;
+
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("time", self.time);
+    v("mass", self.mass);
+  }
 };
 
 struct Discharge {
@@ -30,6 +36,11 @@ class DischargeRecord {
   /// Of a stretch without change only the ends are kept.
   void add(double time, double mass);
   const std::vector<DischargeSample>& samples() const { return samples_; }
+
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("samples", self.samples_);
+  }
 
   /// The figures of the discharge once the flow has stopped; `total_mass` (kg) is that of all grains.
   ///

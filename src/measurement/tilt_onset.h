@@ -24,6 +24,17 @@ class TiltOnset {
   std::size_t material() const { return material_; }
   bool cannot_turn() const { return cannot_turn_; }
 
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("start", self.start_);
+    v("material", self.material_);
+    v("cannot_turn", self.cannot_turn_);
+    v("bound", self.bound_);
+    v("last_tilt", self.last_tilt_);
+    v("last_way", self.last_way_);
+    v("onset", self.onset_);
+  }
+
  private:
   TiltOnsetDeck deck_;
   std::optional<Vec3> start_;

@@ -12,6 +12,7 @@
 #include "output/agreement.h"
 #include "output/atomic_file.h"
 #include "output/disk_space.h"
+#include "output/file_seal.h"
 
 namespace repose {
 
@@ -112,6 +113,7 @@ void Hdf5File::create() {
   disk_ = std::make_unique<Hdf5Disk>(partial_path(path_), path_);
   const Hdf5Properties access = disk_->access();
   const Hdf5Properties creation = group_properties(H5P_FILE_CREATE);
+  H5Pset_userblock(creation.get(), seal_bytes);
   const std::string partial = partial_path(path_);
   file_ = Hdf5FileHandle(
       check_hdf5(H5Fcreate(partial.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), path_, "create"));
@@ -286,6 +288,7 @@ void Hdf5File::close() {
       check_hdf5(H5Fclose(file_.release()), path_, "close");
       release_space(partial_path(path_), path_);
     });
+    seal_file(comm_, partial_path(path_), path_);
     agree_after_root(comm_, [this] { publish_file(path_); });
     closed_ = true;
   } catch (const FileError&) {

@@ -27,10 +27,10 @@ struct RowBlock {
 template <class T>
 hid_t hdf5_type();
 
-/// A new HDF5 file written by all ranks of a communicator together, which appears whole at close() or not at all. Every
-/// member is collective and all ranks pass the same arguments (arrays: the same names, their own rows). An error on any
-/// rank throws FileError, which names the file, on all of them. The bytes of the file do not tell when and on how many
-/// ranks it was written.
+/// A new HDF5 file written by all ranks of a communicator together, which appears whole and sealed (file_seal.h) at
+/// close() or not at all. Every member is collective and all ranks pass the same arguments (arrays: the same names,
+/// their own rows). An error on any rank throws FileError, which names the file, on all of them. The bytes of the file
+/// do not tell when and on how many ranks it was written.
 ///
 /// Only rank 0 has the file open in HDF5. Rows go into a compressed array through rank 0, into any other by each rank
 /// at their place. So every call that can fail is one of a single rank, after which the ranks agree. HDF5's collective

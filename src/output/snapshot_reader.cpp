@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "output/file_seal.h"
 #include "output/hdf5_file.h"
 #include "output/hdf5_handle.h"
 
@@ -74,6 +75,7 @@ std::vector<Vec3> vectors(std::span<const double> values) {
 
 NewParticles parse_snapshot(const std::string& bytes, const std::string& file,
                             const std::vector<MaterialDeck>& materials) {
+  check_seal_if_any(bytes, file);
   const Hdf5FileHandle snapshot = open_image(bytes, file);
   NewParticles particles;
   particles.position = vectors(read_array<double>(snapshot, "position", 3, file));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace repose {
@@ -17,9 +16,24 @@ class SnapshotSeries {
   /// listed already gets the new time. Throws FileError.
   void add(const std::string& name, double time_s);
 
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("files", self.files_);
+  }
+
  private:
+  struct File {
+    std::string name;
+    double time_s = 0.0;
+
+    template <class Self, class Visitor>
+    static void describe_state(Self& self, Visitor& v) {
+      v("name", self.name);
+      v("time_s", self.time_s);
+    }
+  };
   std::string path_;
-  std::vector<std::pair<std::string, double>> files_;
+  std::vector<File> files_;
 };
 
 }  // namespace repose

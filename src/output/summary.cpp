@@ -126,6 +126,7 @@ std::string summary_json(const Summary& summary) {
       {"surface_angle_deg", number(summary.surface_angle_deg)},
       {"surface_angle_deviation_deg", number(summary.surface_angle_deviation_deg)},
       {"surface_angle_samples", summary.surface_angle_samples},
+      {"restarts", summary.restarts},
       {"wall_seconds", number(summary.wall_seconds)},
       {"particle_steps_per_second", number(summary.particle_steps_per_second)},
       {"timing", timing_json(summary)},

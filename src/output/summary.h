@@ -15,6 +15,13 @@ struct PhaseSummary {
   std::string name;
   std::int64_t steps = 0;
   std::string ended_by;  ///< the condition that held, or max_time
+
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("name", self.name);
+    v("steps", self.steps);
+    v("ended_by", self.ended_by);
+  }
 };
 
 /// What left by one exit: a named one, or the rest of a face of the domain.
@@ -69,9 +76,10 @@ struct Summary {
   std::optional<double> surface_angle_deg;            ///< of the bed in a drum, mean of the samples
   std::optional<double> surface_angle_deviation_deg;  ///< standard deviation of the samples
   std::int64_t surface_angle_samples = 0;
-  double wall_seconds = 0.0;
+  std::int64_t restarts = 0;  ///< from checkpoints
+  double wall_seconds = 0.0;  ///< with what the earlier processes took until their last checkpoint
   double particle_steps_per_second = 0.0;
-  double loop_wall_seconds = 0.0;  ///< of the time loop alone, without set-up and final measurements
+  double loop_wall_seconds = 0.0;  ///< of the time loop alone, without set-up and final measurements, since the restart
   double loop_cpu_seconds = 0.0;   ///< the same, processor time of all ranks
   double particle_steps_per_cpu_second = 0.0;
   std::vector<StageSummary> stages;

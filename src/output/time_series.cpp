@@ -17,8 +17,8 @@ std::string text_of(const TimeSeries::Value& value) {
 
 }  // namespace
 
-TimeSeries::TimeSeries(std::string path, const std::vector<std::string>& columns)
-    : columns_(columns.size()), file_(std::move(path), fmt::format("{}", fmt::join(columns, ","))) {}
+TimeSeries::TimeSeries(std::string path, const std::vector<std::string>& columns, Existing existing)
+    : columns_(columns.size()), file_(std::move(path), fmt::format("{}", fmt::join(columns, ",")), existing) {}
 
 void TimeSeries::append(std::span<const Value> row) {
   if (row.size() != columns_) {

@@ -28,7 +28,8 @@ std::vector<TraceRow> gather_trace_rows(const Communicator& comm, const Particle
   return rows;
 }
 
-Trace::Trace(std::string path) : file_(std::move(path), "step,id,x,y,z,vx,vy,vz,wx,wy,wz") {}
+Trace::Trace(std::string path, Existing existing)
+    : file_(std::move(path), "step,id,x,y,z,vx,vy,vz,wx,wy,wz", existing) {}
 
 void Trace::append(std::int64_t step, std::span<const TraceRow> rows) {
   std::string lines;

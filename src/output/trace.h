@@ -26,11 +26,17 @@ std::vector<TraceRow> gather_trace_rows(const Communicator& comm, const Particle
 /// The motion of every particle as a CSV, each number in the shortest form that reads back exactly. For rank 0.
 class Trace {
  public:
-  /// Creates or empties `path`. Throws FileError.
-  explicit Trace(std::string path);
+  /// Creates or empties `path`, or goes on with it (CsvFile). Throws FileError.
+  explicit Trace(std::string path, Existing existing = Existing::replace);
 
   /// Appends one line per row. Throws FileError.
   void append(std::int64_t step, std::span<const TraceRow> rows);
+  void sync() { file_.sync(); }
+
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("file", self.file_);
+  }
 
  private:
   CsvFile file_;

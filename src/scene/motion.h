@@ -55,10 +55,21 @@ class Motions {
   /// After all steps so far of `dt` s.
   Placement placement(double dt) const;
 
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v.each("clocks", self.clocks_);
+  }
+
  private:
   struct Clock {
     std::int64_t steps = 0;
     bool runs = false;
+
+    template <class Self, class Visitor>
+    static void describe_state(Self& self, Visitor& v) {
+      v("steps", self.steps);
+      v("runs", self.runs);
+    }
   };
   std::vector<MotionDeck> motions_;
   std::vector<Clock> clocks_;

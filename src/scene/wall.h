@@ -22,6 +22,12 @@ struct Wall {
   double inner_skin = 0.0;  ///< m, how far it may travel while an inner list is good
   double outer_skin = 0.0;  ///< m, the same of an outer list
   Placement placement;      ///< where its motions have brought it; as in the deck when it does not travel
+
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("present", self.present);
+    v("motions", self.motions);
+  }
 };
 
 /// A wall from its deck section; a disc becomes a profile of one segment. A mesh's file is read by `read_file`.

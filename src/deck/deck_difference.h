@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// A key in which two decks differ.
+struct DeckDifference {
+  std::string key;     ///< as "wall[2].radius"
+  std::string before;  ///< TOML value; empty where the deck has none
+  std::string now;
+};
+
+/// The keys in which two resolved decks (resolved_deck.h) differ, in alphabetical order. DeckError when one is no TOML.
+std::vector<DeckDifference> deck_differences(const std::string& before, const std::string& now);
+
+}  // namespace repose

@@ -1,0 +1,85 @@
+#include "stop_request.h"
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace repose {
+namespace {
+
+constexpr std::array signals = {SIGTERM, SIGINT, SIGUSR1};
+
+// All that a handler may touch: the first signal, 0 before, and when it came.
+volatile std::sig_atomic_t first_signal = 0;
+volatile double first_time = 0.0;
+
+double now() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+extern "C" void note_signal(int signal) {
+  constexpr double patience = 0.5;
+  if (first_signal == 0) {
+    first_time = now();
+    first_signal = signal;
+  } else if (now() - first_time > patience) {
+    std::signal(signal, SIG_DFL);
+    raise(signal);  // it ends the process when this handler returns
+  }
+}
+
+void set_handlers(void (*handler)(int)) {
+  for (const int signal : signals) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+const char* name_of(int signal) { return signal == SIGTERM ? "SIGTERM" : signal == SIGINT ? "SIGINT" : "SIGUSR1"; }
+
+}  // namespace
+
+StopRequest::StopRequest(std::optional<double> time_limit) : time_limit_(time_limit) {
+  first_signal = 0;
+  set_handlers(note_signal);
+}
+
+StopRequest::~StopRequest() { set_handlers(SIG_DFL); }
+
+std::optional<std::string> StopRequest::reason(double needed) const {
+  if (first_signal != 0) return name_of(first_signal);
+  const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  if (time_limit_ && elapsed + needed > *time_limit_) return "the time limit";
+  return {};
+}
+
+double seconds_of(const std::string& time_limit) {
+  unsigned days = 0;
+  unsigned hours = 0;
+  unsigned minutes = 0;
+  unsigned seconds = 0;
+  int end = 0;
+  const char* text = time_limit.c_str();
+  const bool plain = time_limit.find_first_not_of("0123456789:-") == std::string::npos && time_limit.size() < 16;
+  const bool with_days = plain && std::sscanf(text, "%u-%u:%2u:%2u%n", &days, &hours, &minutes, &seconds, &end) == 4;
+  if (!with_days) {
+    days = 0;
+    if (!plain || std::sscanf(text, "%u:%2u:%2u%n", &hours, &minutes, &seconds, &end) != 3) end = -1;
+  }
+  if (end != static_cast<int>(time_limit.size()) || minutes > 59 || seconds > 59) {
+    throw DeckError(fmt::format("--time-limit {}: HH:MM:SS or D-HH:MM:SS was expected", time_limit));
+  }
+  return 86400.0 * days + 3600.0 * hours + 60.0 * minutes + seconds;
+}
+
+}  // namespace repose

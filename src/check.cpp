@@ -33,8 +33,9 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   const MaterialTable materials(deck);
   const std::vector<Wall> walls = make_walls(deck, materials, read_file);
   const Insertion insertion = insert_particles_of(deck, walls, read_file);
-  const TimeStep dt = choose_time_step(deck, materials, smallest_radii(insertion, materials.size()),
-                                       expected_speed(deck, insertion.now));
+  const SmallestRadii radii = smallest_radii(insertion, materials.size());
+  const TimeStep dt = choose_time_step(deck, materials, radii, expected_speed(deck, insertion.now));
+  check_wall_speeds(deck, walls, materials, radii, dt.step);
   const auto count = static_cast<double>(insertion.planned);
 
   std::string report =

@@ -61,7 +61,8 @@ void Checkpoints::write(const Communicator& comm, const CheckpointHeader& header
     for (std::size_t k = kept; k < all.size(); ++k) std::filesystem::remove(all[k]);
   });
   last_ = Clock::now();
-  longest_write_ = std::max(longest_write_, seconds_since(start));
+  const double seconds = seconds_since(start);
+  cost_ = {cost_.written + 1, cost_.seconds + seconds, std::max(cost_.longest, seconds)};
 }
 
 std::vector<std::string> checkpoints_in(const std::string& directory) {

@@ -8,6 +8,7 @@
 #include "comm/communicator.h"
 #include "deck/deck.h"
 #include "output/checkpoint_reader.h"
+#include "output/summary.h"
 
 namespace repose {
 
@@ -25,15 +26,14 @@ class Checkpoints {
   /// Collective. Writes one, which then is the newest, and removes all older ones but the one before it.
   void write(const Communicator& comm, const CheckpointHeader& header, const Particles& particles,
              const ContactMemory& memory);
-  /// Wall time in s that the slowest of this process's took on this rank.
-  double longest_write() const { return longest_write_; }
+  const CheckpointCost& cost() const { return cost_; }
 
  private:
   std::string directory_;
   std::int64_t every_;  ///< steps, or 0
   double minutes_;      ///< or 0
   std::chrono::steady_clock::time_point last_;
-  double longest_write_ = 0.0;
+  CheckpointCost cost_;
 };
 
 /// The paths of the checkpoints in a directory, the newest first. For one rank.

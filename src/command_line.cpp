@@ -1,9 +1,11 @@
 #include "command_line.h"
 
+#include <cstdio>
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "base/error.h"
-#include "stop_request.h"
 
 namespace repose {
 namespace {
@@ -13,6 +15,26 @@ void add_deck_options(CLI::App& command, CommandLine& line) {
   command.add_option("--set", line.overrides, "replace a key of the deck, such as time.step=2e-6; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);  // one value for each --set, so that DECK may follow
+}
+
+/// Seconds of "HH:MM:SS" or "D-HH:MM:SS", as batch systems write time limits.
+double seconds_of(const std::string& time_limit) {
+  unsigned days = 0;
+  unsigned hours = 0;
+  unsigned minutes = 0;
+  unsigned seconds = 0;
+  int end = 0;
+  const char* text = time_limit.c_str();
+  const bool plain = time_limit.find_first_not_of("0123456789:-") == std::string::npos && time_limit.size() < 16;
+  const bool with_days = plain && std::sscanf(text, "%u-%u:%2u:%2u%n", &days, &hours, &minutes, &seconds, &end) == 4;
+  if (!with_days) {
+    days = 0;
+    if (!plain || std::sscanf(text, "%u:%2u:%2u%n", &hours, &minutes, &seconds, &end) != 3) end = -1;
+  }
+  if (end != static_cast<int>(time_limit.size()) || minutes > 59 || seconds > 59) {
+    throw DeckError(fmt::format("--time-limit {}: HH:MM:SS or D-HH:MM:SS was expected", time_limit));
+  }
+  return 86400.0 * days + 3600.0 * hours + 60.0 * minutes + seconds;
 }
 
 CLI::App* add_run(CLI::App& app, CommandLine& line) {

@@ -1,19 +1,69 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
-#include "contact/wall_contacts.h"
-#include "neighbours/pair_lists.h"
+#include "base/error.h"
+#include "comm/communicator.h"
+#include "integration/time_step.h"
+#include "output/particle_table.h"
+#include "scene/materials.h"
 #include "scene/particles.h"
-#include "scene/wall.h"
+#include "scene/reach.h"
 
 namespace repose {
 
-/// One line on the contact that hit a guard: what, which particles, where, at which step, and what would help. Searches
-/// all contacts of this rank; called only when an evaluation has raised an alarm.
-std::string describe_alarm(const Particles& particles, const PairLists& pairs, const WallContacts& wall_contacts,
-                           std::span<const Wall> walls, double max_overlap, std::int64_t step);
+/// What the guards look at: the particles of this rank at a step.
+struct GuardView {
+  const Particles& particles;
+  const MaterialTable& materials;
+  std::span<const Mark> marks;  ///< where the owned particles were when they were listed; may be empty
+  std::int64_t step;
+  double dt;  ///< s
+};
+
+/// A guard that was hit on this rank.
+struct Alarm {
+  std::int64_t step;
+  double time;                  ///< s
+  std::string message;          ///< one line: step, what, which particles, where, remedy
+  ParticleTable neighbourhood;  ///< what this rank knows of the particles around; ghosts, too
+};
+
+/// A guard was hit. Thrown on all ranks alike, but for the neighbourhood, whose rows one rank holds.
+class GuardError : public PhysicsError {
+ public:
+  explicit GuardError(Alarm alarm) : PhysicsError(alarm.message), alarm_(std::move(alarm)) {}
+  const Alarm& alarm() const { return alarm_; }
+
+ private:
+  Alarm alarm_;
+};
+
+/// Collective. The alarm of the lowest rank that has one, on all ranks; the rows of the neighbourhood on that rank
+/// alone.
+std::optional<Alarm> agree_on(const Communicator& comm, const std::optional<Alarm>& alarm);
+
+/// Collective. GuardError on all ranks when there is an alarm on any.
+void throw_if_any(const Communicator& comm, const std::optional<Alarm>& alarm);
+
+/// An alarm about particle `index` with the neighbourhood of `place` (m): what is within six radii of it. `what` is the
+/// message without the step.
+Alarm alarm_at(const GuardView& view, std::size_t index, const Vec3& place, const std::string& what);
+
+/// (x, y, z) in m, as the messages have it.
+std::string place_text(const Vec3& place);
+
+/// The first owned particle with a position, velocity or spin that is not finite (or too large to be squared), that
+/// moves by longest_way of its radius in a step (velocity_verlet.h), or whose force sum is beyond half of its range.
+/// Nothing when all are fit.
+std::optional<Alarm> find_unfit(const GuardView& view);
+
+/// Collective. The criteria of the time step with the fastest particle: GuardError beyond twice the share; beyond the
+/// share a warning, the same on all ranks, if one is `wanted`.
+std::optional<std::string> check_time_step(const Communicator& comm, const GuardView& view, const TimeStep& time_step,
+                                           bool wanted);
 
 }  // namespace repose

@@ -120,8 +120,11 @@ void Recorder::remove_earlier_results() const {
 
 void Recorder::remove_snapshots_after(std::int64_t step) const {
   for (const auto& entry : std::filesystem::directory_iterator(options_.directory)) {
-    const auto of = step_of_file(entry.path().filename().string(), "run_");
-    if (of && *of > step) std::filesystem::remove(entry.path());
+    const std::string name = entry.path().filename().string();
+    for (const char* prefix : {"run_", "neighbourhood_"}) {
+      const auto of = step_of_file(name, prefix);
+      if (of && *of > step && !entry.is_directory()) std::filesystem::remove(entry.path());
+    }
   }
 }
 
@@ -281,13 +284,14 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
   last_progress_step_ = simulation.steps();
 }
 
-Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file) {
+Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file, const CheckpointCost& checkpoints) {
   const Communicator& comm = simulation.comm();
   Summary s;
   s.loop_wall_seconds = seconds_since(start_);
   s.loop_cpu_seconds = comm.sum(static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC);
   s.particle_steps_per_cpu_second = particle_steps_ / s.loop_cpu_seconds;
   summarise_cost(simulation, s);
+  s.checkpoints = checkpoints;
   write_snapshot_now(simulation);
   if (!phases_.empty()) write_series_row(simulation, phases_.back().name);
 

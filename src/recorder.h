@@ -64,7 +64,7 @@ class Recorder {
   void phase_ended(const Simulation& simulation, const Phase& phase, const std::string& ended_by);
 
   /// Last snapshot, angle of repose and silhouette picture, summary.json. The summary is complete on rank 0.
-  Summary finish(const Simulation& simulation, const ReadFile& read_file);
+  Summary finish(const Simulation& simulation, const ReadFile& read_file, const CheckpointCost& checkpoints);
   bool onset_seen() const { return tilt_onset_ && tilt_onset_->onset(); }
 
   /// That of rank 0 counts, which holds the files.

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "checkpoints.h"
+#include "guard_report.h"
 #include "output/agreement.h"
 #include "output/directory.h"
 #include "restart.h"
@@ -73,7 +74,7 @@ class Run {
       recorder_.phase_ended(simulation_, phase, ended_by);
       is_resumed_ = false;
     }
-    const Summary summary = recorder_.finish(simulation_, files_.reader());
+    const Summary summary = recorder_.finish(simulation_, files_.reader(), checkpoints_.cost());
     agree_after_root(simulation_.comm(), [&] { remove_checkpoints(options_.directory); });
     return summary;
   }
@@ -137,7 +138,7 @@ class Run {
   std::optional<std::string> reason_to_stop() const {
     constexpr double least = 1.0;  // s
     if (!stop_asked_) return {};
-    return stop_asked_(least + 2.0 * checkpoints_.longest_write());
+    return stop_asked_(least + 2.0 * checkpoints_.cost().longest);
   }
 
   [[noreturn]] void stop(const std::optional<std::string>& reason_here) const {
@@ -164,7 +165,11 @@ Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& rea
                  const OutputOptions& options, const StopAsked& stop_asked) {
   agree_after_root(comm, [&] { create_output_directory(options.directory); });
   std::optional<FoundCheckpoint> from = checkpoint_to_begin_from(comm, options);
-  return Run(comm, deck, read_file, level, options, stop_asked, std::move(from)).finish();
+  try {
+    return Run(comm, deck, read_file, level, options, stop_asked, std::move(from)).finish();
+  } catch (const GuardError& error) {
+    throw PhysicsError(with_neighbourhood(comm, deck, options, error.alarm()));
+  }
 }
 
 }  // namespace repose

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "integration/velocity_verlet.h"
 #include "output/snapshot_reader.h"
+#include "scene/motion.h"
 #include "scene/sphere.h"
 
 namespace repose {
@@ -34,6 +36,24 @@ SmallestRadii smallest_radii(const Insertion& insertion, std::size_t materials) 
     radii.of_material[material] = std::min(radii.of_material[material], radius);
   });
   return radii;
+}
+
+void check_wall_speeds(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials,
+                       const SmallestRadii& radii, double dt) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < radii.of_material.size(); ++m) {
+    if (!materials.is_held(static_cast<std::int32_t>(m))) smallest = std::min(smallest, radii.of_material[m]);
+  }
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    if (!walls[w].travels) continue;
+    const double way = dt * greatest_speed(deck.walls[w].motions, deck.domain);
+    if (way < longest_way * smallest) continue;
+    throw DeckError(fmt::format(
+        "wall \"{}\": its motions can take it {:.3g} m within the domain in one time step of {:.3g} s, {:.2g} of the "
+        "smallest radius {:.3g} m: beyond {} it could pass particles unseen; shorten time.step to {:.1e} s or slow it "
+        "down",
+        walls[w].name, way, dt, way / smallest, smallest, longest_way, 0.5 * dt * longest_way * smallest / way));
+  }
 }
 
 double planned_mass(const Insertion& insertion, const MaterialTable& materials) {

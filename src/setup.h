@@ -20,6 +20,11 @@ Insertion insert_particles_of(const Deck& deck, const std::vector<Wall>& walls, 
 /// Of all particles, present and planned.
 SmallestRadii smallest_radii(const Insertion& insertion, std::size_t materials);
 
+/// DeckError when a wall's motions can take it further in a time step of `dt` s than the smallest particle may move
+/// (longest_way): it could pass particles unseen.
+void check_wall_speeds(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials,
+                       const SmallestRadii& radii, double dt);
+
 /// Mass in kg of all particles, present and planned.
 double planned_mass(const Insertion& insertion, const MaterialTable& materials);
 

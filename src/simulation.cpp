@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
-#include <fmt/format.h>
-
-#include "base/error.h"
+#include "contact_alarm.h"
 #include "domain/migration.h"
 #include "guards.h"
 #include "integration/velocity_verlet.h"
@@ -40,8 +39,9 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   left_.named_mass.resize(deck_.exits.size());
   Insertion insertion = insert_particles_of(deck_, walls(), read_file);
   scene_.hold(deck_, insertion);
-  time_step_ = choose_time_step(deck_, materials_, smallest_radii(insertion, materials_.size()),
-                                expected_speed(deck_, insertion.now));
+  const SmallestRadii radii = smallest_radii(insertion, materials_.size());
+  time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now));
+  check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
   const double longest = longest_skin(particles_.periodic, insertion.largest_radius());
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
   watch_ = SkinWatch({deck_.neighbours.inner_skin, horizon(inner_horizon_steps), 0.5 * longest},
@@ -52,6 +52,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   sizes_ = std::move(insertion.sizes);
   pouring_ = Pouring(std::move(insertion.pours), time_step_.step);
   insert(insertion.now);
+  check_guards();
   rebuild_lists();
   evaluate_forces(0.0);
   check_guards();
@@ -75,8 +76,9 @@ void Simulation::advance(std::int64_t steps) {
     clock_.enter(Stage::integration);
     const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
     const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), particles_);
+    if (notes.unfit && !alarm_) alarm_ = find_unfit(guard_view(steps_ + 1));
     scene_.step(dt, particles_);
-    if (notes.outside > parked_) count_leavers();
+    if (notes.outside > parked_ && !alarm_) count_leavers();
     const bool skin_used_up = notes.skin_used_up || scene_.held().skin_used_up(watch_.inner_marks(), particles_);
     const ListState state = agreed_list_state(skin_used_up);
     const bool grows = steps_ + 1 == pouring_.next_step() && pour();
@@ -162,7 +164,7 @@ Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
   const bool inner_too_old = scene_.walls_travel() && steps_ + 1 - inner_selected_at_ >= inner_horizon_steps;
   const bool outer_too_old =
       scene_.walls_travel() && steps_ + 1 - outer_listed_at_ > outer_horizon_steps - inner_horizon_steps;
-  const int here = !alarm_.empty() ? alarmed : inner_used_up || inner_too_old ? moved : 0;
+  const int here = alarm_ ? alarmed : inner_used_up || inner_too_old ? moved : 0;
   clock_.enter(Stage::agreement);
   const int worst = comm_.size() == 1 ? here : comm_.max(here);
   if (worst == alarmed) check_guards();
@@ -240,25 +242,18 @@ void Simulation::balance() {
   ++counters_.bisections;
 }
 
-/// The criteria of the time step with the true greatest speed: one warning beyond the fraction, an error beyond twice.
+/// The criteria of the time step with the true greatest speed, with one warning in all.
 void Simulation::check_time_step() {
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < particles_.owned; ++i) fastest = std::max(fastest, norm(particles_.record[i].velocity));
-  fastest = comm_.max(fastest);
-  const double excess = time_step_excess(time_step_, fastest);
-  if (excess > 2.0) {
-    throw PhysicsError(fmt::format(
-        "step {}: a particle moves at {:.3g} m/s, for which the time step {:.3g} s is {:.2g} times its criterion; "
-        "set time.expected_speed to {:.3g} or shorten time.step",
-        steps_, fastest, time_step_.step, excess, fastest));
-  }
-  if (excess > 1.0 + 1e-9 && !warned_of_time_step_) {
-    warned_of_time_step_ = true;
-    warning_ = fmt::format(
-        "step {}: at {:.3g} m/s the time step {:.3g} s is {:.2f} times its criterion (expected {:.3g} m/s; an error at "
-        "2)",
-        steps_, fastest, time_step_.step, excess, time_step_.speed);
-  }
+  const std::int64_t step = counters_.rebuilds == 0 ? steps_ : steps_ + 1;
+  std::optional<std::string> warning =
+      repose::check_time_step(comm_, guard_view(step), time_step_, !warned_of_time_step_);
+  if (!warning) return;
+  warned_of_time_step_ = true;
+  warning_ = std::move(warning);
+}
+
+GuardView Simulation::guard_view(std::int64_t step) const {
+  return {particles_, materials_, watch_.inner_marks(), step, time_step_.step};
 }
 
 void Simulation::evaluate_forces(double dt) {
@@ -283,19 +278,13 @@ void Simulation::evaluate_forces(double dt) {
   ghosts_on_their_way_ = false;
   clock_.enter(Stage::pair_contacts);
   evaluate(false);
-  if (alarm && alarm_.empty()) {
-    alarm_ = describe_alarm(particles_, pairs_, wall_contacts_, walls(), max_overlap, dt > 0.0 ? steps_ + 1 : 0);
+  if (alarm && !alarm_) {
+    alarm_ = contact_alarm(guard_view(dt > 0.0 ? steps_ + 1 : steps_),
+                           {pairs_, wall_contacts_, walls(), level_, max_overlap});
   }
 }
 
-void Simulation::check_guards() const {
-  const int none = comm_.size();
-  const int first = comm_.min(alarm_.empty() ? none : comm_.rank());
-  if (first == none) return;
-  std::string message = alarm_;
-  comm_.broadcast(message, first);
-  throw PhysicsError(message);
-}
+void Simulation::check_guards() const { throw_if_any(comm_, alarm_ ? alarm_ : find_unfit(guard_view(steps_))); }
 
 std::size_t Simulation::memory_bytes() const {
   return particles_.bytes() + pairs_.bytes() + wall_contacts_.bytes() + watch_.bytes();

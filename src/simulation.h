@@ -11,6 +11,7 @@
 #include "domain/decomposition.h"
 #include "domain/exits.h"
 #include "domain/ghost_exchange.h"
+#include "guards.h"
 #include "integration/time_step.h"
 #include "moving_scene.h"
 #include "neighbours/pair_lists.h"
@@ -49,12 +50,13 @@ class Simulation {
   /// DeckError when particles do not fit or the time step is too long.
   Simulation(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level);
 
-  /// Collective. The next `steps` time steps (at least one); several in one call are a little faster. PhysicsError on
-  /// all ranks when a guard of an earlier step was hit.
+  /// Collective. The next `steps` time steps (at least one); several in one call are a little faster. GuardError on all
+  /// ranks when a guard of an earlier step was hit.
   void advance(std::int64_t steps);
   void step() { advance(1); }
 
-  /// Collective. PhysicsError on all ranks when a guard was hit since the last step: call before the state is used.
+  /// Collective. GuardError on all ranks when a guard was hit in the steps so far, or when a particle is unfit now
+  /// (find_unfit): call before the state is used.
   void check_guards() const;
 
   /// Adds or removes a named wall from the next evaluation of the forces on. Contacts with a removed wall are
@@ -119,6 +121,7 @@ class Simulation {
   void rebuild_lists(ContactMemory memory);
   void balance();
   void check_time_step();
+  GuardView guard_view(std::int64_t step) const;
   void count_leavers();
   void ignore_held(std::vector<IndexPair>& near, std::vector<double>& reach) const;
   ListState agreed_list_state(bool inner_used_up);
@@ -153,7 +156,7 @@ class Simulation {
   std::int64_t steps_ = 0;
   StageClock clock_;
   RunCounters counters_;
-  std::string alarm_;  ///< the first guard hit on this rank, empty if none
+  std::optional<Alarm> alarm_;  ///< the first guard hit on this rank
   bool warned_of_time_step_ = false;
   std::optional<std::string> warning_;
 };

@@ -2,12 +2,7 @@
 
 #include <array>
 #include <csignal>
-#include <cstdio>
 #include <ctime>
-
-#include <fmt/format.h>
-
-#include "base/error.h"
 
 namespace repose {
 namespace {
@@ -61,25 +56,6 @@ std::optional<std::string> StopRequest::reason(double needed) const {
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   if (time_limit_ && elapsed + needed > *time_limit_) return "the time limit";
   return {};
-}
-
-double seconds_of(const std::string& time_limit) {
-  unsigned days = 0;
-  unsigned hours = 0;
-  unsigned minutes = 0;
-  unsigned seconds = 0;
-  int end = 0;
-  const char* text = time_limit.c_str();
-  const bool plain = time_limit.find_first_not_of("0123456789:-") == std::string::npos && time_limit.size() < 16;
-  const bool with_days = plain && std::sscanf(text, "%u-%u:%2u:%2u%n", &days, &hours, &minutes, &seconds, &end) == 4;
-  if (!with_days) {
-    days = 0;
-    if (!plain || std::sscanf(text, "%u:%2u:%2u%n", &hours, &minutes, &seconds, &end) != 3) end = -1;
-  }
-  if (end != static_cast<int>(time_limit.size()) || minutes > 59 || seconds > 59) {
-    throw DeckError(fmt::format("--time-limit {}: HH:MM:SS or D-HH:MM:SS was expected", time_limit));
-  }
-  return 86400.0 * days + 3600.0 * hours + 60.0 * minutes + seconds;
 }
 
 }  // namespace repose

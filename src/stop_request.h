@@ -32,8 +32,4 @@ class StopRequest {
   std::optional<double> time_limit_;
 };
 
-/// Seconds of "HH:MM:SS", as batch systems write it: hours of any number of digits, or "D-HH:MM:SS". DeckError
-/// otherwise.
-double seconds_of(const std::string& time_limit);
-
 }  // namespace repose

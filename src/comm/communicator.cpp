@@ -4,6 +4,17 @@
 #include <stdexcept>
 
 namespace repose {
+namespace {
+
+/// Calls visit(begin, count) for the pieces of `length` bytes.
+template <class Visit>
+void for_each_piece(std::size_t length, std::size_t piece, const Visit& visit) {
+  for (std::size_t begin = 0; begin < length; begin += piece) {
+    visit(begin, static_cast<int>(std::min(piece, length - begin)));
+  }
+}
+
+}  // namespace
 
 MpiGuard::MpiGuard(int* argc, char*** argv) { MPI_Init(argc, argv); }
 MpiGuard::~MpiGuard() { MPI_Finalize(); }
@@ -31,38 +42,47 @@ std::int64_t Communicator::exclusive_sum(std::int64_t value) const {
   return rank_ == 0 ? 0 : below;  // MPI leaves rank 0 undefined
 }
 
-void Communicator::broadcast(std::string& text, int root) const {
+void Communicator::broadcast(std::string& text, int root, std::size_t piece) const {
   auto length = static_cast<std::int64_t>(text.size());
   broadcast(length, root);
   text.resize(static_cast<std::size_t>(length));
-  check_mpi(MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, root, comm_), "MPI_Bcast");
+  for_each_piece(text.size(), piece, [&](std::size_t begin, int count) {
+    check_mpi(MPI_Bcast(text.data() + begin, count, MPI_CHAR, root, comm_), "MPI_Bcast");
+  });
 }
 
-std::vector<std::vector<char>> Communicator::exchange(const std::vector<std::vector<char>>& send) const {
+std::vector<std::vector<char>> Communicator::exchange(const std::vector<std::vector<char>>& send,
+                                                      std::size_t piece) const {
   const auto ranks = static_cast<std::size_t>(size_);
-  std::vector<int> send_counts(ranks);
-  std::vector<int> receive_counts(ranks);
-  for (std::size_t r = 0; r < ranks; ++r) send_counts[r] = static_cast<int>(send[r].size());
-  check_mpi(MPI_Alltoall(send_counts.data(), 1, MPI_INT, receive_counts.data(), 1, MPI_INT, comm_), "MPI_Alltoall");
+  std::vector<std::int64_t> send_bytes(ranks);
+  std::vector<std::int64_t> receive_bytes(ranks);
+  for (std::size_t r = 0; r < ranks; ++r) send_bytes[r] = std::ssize(send[r]);
+  check_mpi(MPI_Alltoall(send_bytes.data(), 1, MPI_INT64_T, receive_bytes.data(), 1, MPI_INT64_T, comm_),
+            "MPI_Alltoall");
 
+  // The pieces from one rank to another arrive in the order in which they are sent (MPI's rule for equal tags).
   std::vector<std::vector<char>> received(ranks);
   std::vector<MPI_Request> requests;
   constexpr int tag = 1;
   for (std::size_t r = 0; r < ranks; ++r) {
-    received[r].resize(static_cast<std::size_t>(receive_counts[r]));
     if (static_cast<int>(r) == rank_) {
-      std::copy(send[r].begin(), send[r].end(), received[r].begin());
-    } else if (receive_counts[r] > 0) {
-      check_mpi(MPI_Irecv(received[r].data(), receive_counts[r], MPI_CHAR, static_cast<int>(r), tag, comm_,
+      received[r] = send[r];
+      continue;
+    }
+    received[r].resize(static_cast<std::size_t>(receive_bytes[r]));
+    for_each_piece(received[r].size(), piece, [&](std::size_t begin, int count) {
+      check_mpi(MPI_Irecv(received[r].data() + begin, count, MPI_CHAR, static_cast<int>(r), tag, comm_,
                           &requests.emplace_back()),
                 "MPI_Irecv");
-    }
+    });
   }
   for (std::size_t r = 0; r < ranks; ++r) {
-    if (static_cast<int>(r) == rank_ || send_counts[r] == 0) continue;
-    check_mpi(
-        MPI_Isend(send[r].data(), send_counts[r], MPI_CHAR, static_cast<int>(r), tag, comm_, &requests.emplace_back()),
-        "MPI_Isend");
+    if (static_cast<int>(r) == rank_) continue;
+    for_each_piece(send[r].size(), piece, [&](std::size_t begin, int count) {
+      check_mpi(
+          MPI_Isend(send[r].data() + begin, count, MPI_CHAR, static_cast<int>(r), tag, comm_, &requests.emplace_back()),
+          "MPI_Isend");
+    });
   }
   check_mpi(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
   return received;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <vector>
@@ -97,10 +98,13 @@ class Communicator {
   void broadcast(T& value, int root = 0) const {
     check_mpi(MPI_Bcast(&value, 1, mpi_type<T>(), root, comm_), "MPI_Bcast");
   }
-  void broadcast(std::string& text, int root = 0) const;
+  /// MPI counts in 32 bits: what is longer than `piece` bytes travels in pieces.
+  static constexpr std::size_t longest_piece = std::size_t{1} << 30;
+  void broadcast(std::string& text, int root = 0, std::size_t piece = longest_piece) const;
 
   /// Sends send[r] to rank r; returns what every rank sent here, one vector per source.
-  std::vector<std::vector<char>> exchange(const std::vector<std::vector<char>>& send) const;
+  std::vector<std::vector<char>> exchange(const std::vector<std::vector<char>>& send,
+                                          std::size_t piece = longest_piece) const;
 
   void barrier() const { check_mpi(MPI_Barrier(comm_), "MPI_Barrier"); }
 
@@ -123,17 +127,15 @@ class Communicator {
 
 template <class T>
 std::vector<T> Communicator::gather(const std::vector<T>& mine) const {
-  const std::vector<int> counts = all_gather(static_cast<int>(mine.size()));
-  std::vector<int> offsets(counts.size(), 0);
-  int total = 0;
-  for (std::size_t r = 0; r < counts.size(); ++r) {
-    offsets[r] = total;
-    total += counts[r];
+  std::vector<std::vector<char>> send(static_cast<std::size_t>(size_));
+  const auto* bytes = reinterpret_cast<const char*>(mine.data());
+  send[0].assign(bytes, bytes + mine.size() * sizeof(T));
+  std::vector<T> all;
+  for (const std::vector<char>& part : exchange(send)) {
+    const std::size_t before = all.size();
+    all.resize(before + part.size() / sizeof(T));
+    if (!part.empty()) std::memcpy(all.data() + before, part.data(), part.size());
   }
-  std::vector<T> all(is_root() ? static_cast<std::size_t>(total) : 0);
-  check_mpi(MPI_Gatherv(mine.data(), static_cast<int>(mine.size()), mpi_type<T>(), all.data(), counts.data(),
-                        offsets.data(), mpi_type<T>(), 0, comm_),
-            "MPI_Gatherv");
   return all;
 }
 

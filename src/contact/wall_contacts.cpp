@@ -104,8 +104,8 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
       const double range = p.radius + skin + wall.inner_skin;
       bool near = false;
       particles.periodic.for_each_shift(position, skin, [&](const Vec3& shift) {
-        near |= touches.overflowed() ? is_within(wall, position + shift, range)
-                                     : find_touches(wall, w, position + shift, range, touches) > 0;
+        near |= find_touches(wall, w, position + shift, range, touches) > 0 ||
+                (touches.overflowed() && is_within(wall, position + shift, range));
       });
       if (near) near_walls_.push_back(w);
     }

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include "base/error.h"
@@ -12,6 +13,18 @@ namespace repose {
 namespace {
 
 using Values = std::map<std::string, std::string>;
+
+std::string text_of(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const toml::array* array = node.as_array()) {
+    std::vector<std::string> texts;
+    for (const toml::node& element : *array) texts.push_back(text_of(element));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
+  }
+  std::ostringstream text;
+  node.visit([&](const auto& value) { text << value; });
+  return text.str();
+}
 
 void flatten(const toml::node& node, const std::string& key, Values& values) {
   if (const toml::table* table = node.as_table()) {
@@ -22,9 +35,7 @@ void flatten(const toml::node& node, const std::string& key, Values& values) {
   } else if (const toml::array* array = node.as_array(); array != nullptr && array->is_array_of_tables()) {
     for (std::size_t i = 0; i < array->size(); ++i) flatten(*array->get(i), fmt::format("{}[{}]", key, i), values);
   } else {
-    std::ostringstream text;
-    node.visit([&](const auto& value) { text << value; });
-    values[key] = text.str();
+    values[key] = text_of(node);
   }
 }
 

@@ -91,7 +91,7 @@ void describe(V& v, OutputDeck& o) {
 
 template <class V>
 void describe(V& v, GuardsDeck& g) {
-  v("max_overlap", g.max_overlap, Unit::none, above_to(0, 1), optional,
+  v("max_overlap", g.max_overlap, Unit::none, above_to(0, 0.5), optional,
     "largest overlap as a share of the smaller radius");
 }
 

@@ -11,10 +11,17 @@ namespace repose {
 class MaterialTable;
 struct DomainDeck;
 
+/// The share of its radius that a particle must not move by in one step. Whatever comes to pass a wall or a particle
+/// that moves by as much then overlaps with it after some step by more than any `guards.max_overlap`, which is at most
+/// 0.5: the strip about a surface in which a centre is that near is 2 (1 - 0.5) radii wide.
+inline constexpr double longest_way = 0.5;
+
 /// What the first half of a step has noticed on its way over the particles.
 struct StepNotes {
   std::size_t outside = 0;    ///< particles that are not within the domain, parked ones too
   bool skin_used_up = false;  ///< some particle has moved by its skin since it was marked
+  bool unfit = false;  ///< some particle has moved by longest_way of its radius in this step, or has gone to where
+                       ///< there are no numbers, or had a force sum beyond half of its range (which is left so)
 };
 
 /// Velocity Verlet with forces from half-step velocities: first half v += a dt/2, x += v dt, then the forces, then

@@ -16,6 +16,18 @@ struct Row {
 
 }  // namespace
 
+void append_row(ParticleTable& table, std::int64_t id, const ParticleRecord& record, std::int32_t material,
+                const MaterialTable& materials) {
+  const auto append = [](std::vector<double>& to, const Vec3& v) { to.insert(to.end(), {v.x, v.y, v.z}); };
+  table.id.push_back(id);
+  append(table.position, record.position);
+  append(table.velocity, record.velocity);
+  append(table.angular_velocity, record.spin);
+  table.radius.push_back(record.radius);
+  table.mass.push_back(sphere_mass(record.radius, materials[static_cast<std::size_t>(material)].density));
+  table.material.push_back(materials.solid(material));
+}
+
 ParticleTable collect_particles(const Communicator& comm, const MaterialTable& materials, const Particles& particles,
                                 std::int64_t inserted) {
   std::vector<std::vector<char>> send(static_cast<std::size_t>(comm.size()));
@@ -36,16 +48,7 @@ ParticleTable collect_particles(const Communicator& comm, const MaterialTable& m
   const auto count = static_cast<std::int64_t>(rows.size());
   table.offset = comm.exclusive_sum(count);
   table.total = comm.sum(count);
-  const auto append = [](std::vector<double>& to, const Vec3& v) { to.insert(to.end(), {v.x, v.y, v.z}); };
-  for (const Row& row : rows) {
-    table.id.push_back(row.id);
-    append(table.position, row.record.position);
-    append(table.velocity, row.record.velocity);
-    append(table.angular_velocity, row.record.spin);
-    table.radius.push_back(row.record.radius);
-    table.mass.push_back(sphere_mass(row.record.radius, materials[static_cast<std::size_t>(row.material)].density));
-    table.material.push_back(materials.solid(row.material));
-  }
+  for (const Row& row : rows) append_row(table, row.id, row.record, row.material, materials);
   return table;
 }
 

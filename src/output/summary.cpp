@@ -74,6 +74,8 @@ Json timing_json(const Summary& summary) {
   return {{"loop_wall_s", number(summary.loop_wall_seconds)},
           {"loop_cpu_s", number(summary.loop_cpu_seconds)},
           {"particle_steps_per_cpu_second", number(summary.particle_steps_per_cpu_second)},
+          {"checkpoints", summary.checkpoints.written},
+          {"checkpoints_wall_s", number(summary.checkpoints.seconds)},
           {"stages", stages}};
 }
 

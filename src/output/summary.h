@@ -44,6 +44,13 @@ struct StageSummary {
   double max_seconds = 0.0;  ///< of the busiest rank
 };
 
+/// What checkpoints have cost this process.
+struct CheckpointCost {
+  std::int64_t written = 0;
+  double seconds = 0.0;  ///< wall time of all of them
+  double longest = 0.0;  ///< s, of the slowest
+};
+
 /// Every measured figure of a run. A figure that was not measured or does not exist (the angle of no pile) is empty.
 struct Summary {
   std::string status;
@@ -83,6 +90,7 @@ struct Summary {
   double loop_cpu_seconds = 0.0;   ///< the same, processor time of all ranks
   double particle_steps_per_cpu_second = 0.0;
   std::vector<StageSummary> stages;
+  CheckpointCost checkpoints;
   std::int64_t list_rebuilds = 0;
   std::int64_t inner_selections = 0;          ///< new inner lists between two rebuilds
   double listed_pairs_per_particle = 0.0;     ///< in the outer lists at the end, each pair once per rank that holds it

@@ -49,7 +49,8 @@ TEST_F(Comm, BroadcastsStringsOfAnyLength) {
   for (int root = 0; root < size; ++root) {
     for (const std::size_t length : {std::size_t{0}, std::size_t{1}, std::size_t{100000}}) {
       std::string text = rank == root ? std::string(length, static_cast<char>('a' + root)) : "something else";
-      world.broadcast(text, root);
+      const std::size_t piece = length == 100000 ? 999 : Communicator::longest_piece;
+      world.broadcast(text, root, piece);
       EXPECT_EQ(text, std::string(length, static_cast<char>('a' + root)));
     }
   }
@@ -61,14 +62,17 @@ TEST_F(Comm, BroadcastsStringsOfAnyLength) {
 /// What rank `from` sends to rank `to`: of a length that differs for all, and nothing for some.
 std::vector<char> letter(int from, int to) {
   const int length = (from * 31 + to * 17) % 5 == 0 ? 0 : 1000 * from + 7 * to + 1;
-  return std::vector<char>(static_cast<std::size_t>(length), static_cast<char>(from * 8 + to));
+  std::vector<char> text(static_cast<std::size_t>(length));
+  for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>(static_cast<int>(i) + from * 8 + to);
+  return text;
 }
 
 TEST_F(Comm, ExchangeDeliversEveryLetter) {
   for (int round = 0; round < 3; ++round) {
     std::vector<std::vector<char>> send;
     for (int to = 0; to < size; ++to) send.push_back(letter(rank, to + round));
-    const std::vector<std::vector<char>> received = world.exchange(send);
+    const std::vector<std::vector<char>> received =
+        world.exchange(send, round == 0 ? Communicator::longest_piece : 100);
     EXPECT_EQ(received.size(), static_cast<std::size_t>(size));
     for (int from = 0; from < size; ++from) {
       EXPECT_EQ(received[static_cast<std::size_t>(from)], letter(from, rank + round));

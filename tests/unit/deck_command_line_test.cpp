@@ -40,6 +40,17 @@ TEST(ParseCommandLine, OtherActions) {
   EXPECT_EQ(run.vector_level, "auto");
 }
 
+TEST(ParseCommandLine, TimeLimitsAreThoseOfBatchSystems) {
+  const auto seconds = [](const std::string& limit) {
+    return parse({"run", "a.toml", "--output", "o", "--restart", "--time-limit", limit}).time_limit;
+  };
+  EXPECT_EQ(seconds("00:00:06"), 6.0);
+  EXPECT_EQ(seconds("47:59:30"), 172770.0);
+  EXPECT_EQ(seconds("2-01:00:00"), 176400.0);
+  EXPECT_TRUE(parse({"run", "a.toml", "--output", "o", "--restart"}).restart);
+  EXPECT_FALSE(parse({"run", "a.toml", "--output", "o"}).time_limit);
+}
+
 TEST(ParseCommandLine, HelpIsText) {
   const CommandLine help = parse({"--help"});
   EXPECT_EQ(help.action, Action::none);
@@ -64,6 +75,12 @@ TEST(ParseCommandLine, MistakesAreOneLine) {
       {{"check", "a.toml", "--set"}, "--set: 1 required KEY=VALUE missing; see repose --help"},
       {{"run", "a.toml", "--output", "o", "--vector-level", "mmx"},
        "--vector-level: mmx not in {auto,sse2,avx2,avx512}; see repose --help"},
+      {{"run", "a.toml", "--output", "o", "--time-limit", "90"},
+       "--time-limit 90: HH:MM:SS or D-HH:MM:SS was expected"},
+      {{"run", "a.toml", "--output", "o", "--time-limit", "01:60:00"},
+       "--time-limit 01:60:00: HH:MM:SS or D-HH:MM:SS was expected"},
+      {{"run", "a.toml", "--output", "o", "--time-limit", "00:01:00 "},
+       "--time-limit 00:01:00 : HH:MM:SS or D-HH:MM:SS was expected"},
   };
   for (const Bad& c : cases) {
     try {

@@ -369,6 +369,7 @@ TEST(DeckErrors, Overrides) {
       {"wall.gate.material=stel", "unknown material \"stel\"; the nearest is \"steel\""},
       {"phase.flow.remove_walls=[\"tube\", \"gat\"]", "unknown wall \"gat\"; the nearest is \"gate\""},
       {"output=5", "\"output\" is the number 5; it must be the section [output]"},
+      {"guards.max_overlap=0.6", "\"max_overlap\" = 0.6 is out of range; it must be 0 < x <= 0.5"},
       {"guards.max_overlap=1\nstep=2", "\"max_overlap\" must be a number, not the text \"1\nstep=2\""},
   };
   for (const Bad& c : cases) {

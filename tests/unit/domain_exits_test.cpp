@@ -56,6 +56,14 @@ TEST(Exits, EachFaceIsCountedWithItsMass) {
   }
 }
 
+TEST(Exits, APositionThatIsNoNumberHasNotLeft) {
+  Exits e;
+  e.add({0.0, std::nan(""), 0.0});
+  e.retire();
+  EXPECT_FALSE(is_parked(e.particles.record[0]));
+  EXPECT_EQ(e.left.particles, (std::array<std::int64_t, 6>{}));
+}
+
 TEST(Exits, TheFaceFurthestBehindCounts) {
   Exits e;
   e.add({1.1, 2.2, 3.1});

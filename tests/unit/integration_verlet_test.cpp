@@ -106,6 +106,27 @@ TEST(VelocityVerlet, NotesWhoIsOutsideAndWhoHasMoved) {
   EXPECT_EQ(notes(1.0, {{0.0, 0.0, 0.0}, {2.0, 2.0, 4.0}}).outside, 1U);
 }
 
+TEST(VelocityVerlet, NotesWhatIsUnfit) {
+  for (const VectorLevel level : levels_here()) {
+    const auto unfit = [&](const Vec3& velocity, std::int64_t force, std::int64_t torque) {
+      Particles p = grain_and_ghost();
+      p.record[0].radius = 1.0;
+      p.record[0].velocity = velocity;
+      p.sum[0] = {{0, force, 0, 0}, {0, 0, torque, 0}};
+      p.force_to_acceleration[0] = p.torque_to_acceleration[0] = 1e-30;
+      return step_first_half(level, {}, 1.0, domain, here, p).unfit;
+    };
+    constexpr std::int64_t half = std::int64_t{1} << 62;
+    EXPECT_FALSE(unfit({0.29, 0.29, -0.28}, half - 1, -half)) << to_string(level);  // 0.497 radii
+    EXPECT_TRUE(unfit({0.29, 0.29, -0.29}, 0, 0)) << to_string(level);              // 0.502
+    EXPECT_TRUE(unfit({0.0, 0.0, 1e200}, 0, 0)) << to_string(level);
+    EXPECT_TRUE(unfit({0.0, std::nan(""), 0.0}, 0, 0)) << to_string(level);
+    EXPECT_TRUE(unfit({}, half, 0)) << to_string(level);
+    EXPECT_TRUE(unfit({}, -half - 1, 0)) << to_string(level);
+    EXPECT_TRUE(unfit({}, 0, half)) << to_string(level);
+  }
+}
+
 // A constant acceleration is integrated exactly: x = v t + a t^2 / 2.
 TEST(VelocityVerlet, FreeFallIsExact) {
   Particles p = grain_and_ghost();

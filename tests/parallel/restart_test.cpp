@@ -1,0 +1,276 @@
+// A run that is stopped and goes on from its checkpoint, on any number of ranks, ends as one that was never stopped:
+// the same bits, the same rows, the same figures.
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "checkpoints.h"
+#include "deck/read_deck.h"
+#include "deck/resolved_deck.h"
+#include "run.h"
+
+namespace repose::test {
+namespace {
+
+/// Everything that has state of its own: a pour, walls that come and go and that move, held grains, a tilt, exits, all
+/// the series, and a periodic direction.
+const char* const scene = R"(
+[domain]
+min = [-0.02, -0.01, -0.001]
+max = [0.0075, 0.01, 0.03]
+periodic = ["y"]
+[[exit]]
+name = "chute"
+face = "x_max"
+max = [0.0, 0.0, 0.03]
+[[material]]
+name = "glass"
+youngs_modulus = 5e6
+poisson_ratio = 0.25
+density = 2500.0
+[[pair]]
+materials = ["glass", "glass"]
+restitution = 0.6
+sliding_friction = 0.4
+rolling_friction = 0.05
+[[wall]]
+name = "floor"
+type = "rectangle"
+material = "glass"
+corner = [-0.008, -0.01, 0.0]
+edge_u = [0.016, 0.0, 0.0]
+edge_v = [0.0, 0.02, 0.0]
+[[wall]]
+name = "pusher"
+type = "rectangle"
+material = "glass"
+corner = [-0.008, -0.01, 0.0001]
+edge_u = [0.0, 0.02, 0.0]
+edge_v = [0.0, 0.0, 0.004]
+[[wall.motion]]
+type = "oscillation"
+amplitude = [0.001, 0.0, 0.0]
+frequency = 50.0
+phases = ["shake"]
+[[wall]]
+name = "stop"
+type = "rectangle"
+material = "glass"
+corner = [0.007, -0.01, 0.0]
+edge_u = [0.0, 0.02, 0.0]
+edge_v = [0.0, 0.0, 0.004]
+[[particles]]
+type = "fill"
+material = "glass"
+diameter = 0.001
+count = 120
+region = "box"
+min = [-0.0065, -0.0095, 0.0002]
+max = [0.0065, 0.0095, 0.0045]
+[[particles]]
+type = "lattice"
+material = "glass"
+diameter = 0.001
+counts = [1, 3, 1]
+spacing = 0.004
+first = [0.0, -0.004, 0.0051]
+fixed = true
+[[particles]]
+type = "pour"
+material = "glass"
+diameter = 0.001
+count = 40
+region = "box"
+min = [-0.004, -0.009, 0.008]
+max = [0.004, 0.009, 0.012]
+particle_rate = 2000.0
+start_time = 0.004
+interval = 0.002
+[tilt]
+angular_velocity = 80.0
+phases = ["shake"]
+[time]
+step = 1e-5
+[[phase]]
+name = "fall"
+until = "steps"
+steps = 1500
+[[phase]]
+name = "shake"
+until = "steps"
+steps = 4500
+remove_walls = ["stop"]
+[measurement.discharge]
+orifice_height = 0.0
+[output]
+series_interval = "1 ms"
+snapshot_interval = "5 ms"
+trace = true
+trace_every = 500
+)";
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class Restart : public testing::Test {
+ protected:
+  Restart() : world_(MPI_COMM_WORLD) {
+    if (world_.is_root()) folder_ = std::filesystem::temp_directory_path() / ("restart_" + std::to_string(getpid()));
+    std::string shared = folder_.string();
+    world_.broadcast(shared);
+    folder_ = shared;
+  }
+  ~Restart() override {
+    world_.barrier();
+    if (world_.is_root()) std::filesystem::remove_all(folder_);
+  }
+
+  std::string folder(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// The summary, or none when it was stopped after so many looks at whether it should be (0: never).
+  std::optional<Summary> run(const Communicator& comm, const std::string& name, int looks, bool restart,
+                             const std::vector<std::string>& overrides = {}) const {
+    const Deck deck = read_deck(scene, "scene.toml", overrides);
+    OutputOptions options;
+    options.directory = folder(name);
+    options.resolved_deck = resolved_deck(deck);
+    options.quiet = true;
+    options.restart = restart;
+    int looked = 0;
+    const auto stop_asked = [&](double) -> std::optional<std::string> {
+      if (++looked == looks && comm.rank() == comm.size() - 1) return "the test";  // one rank decides for all
+      return {};
+    };
+    try {
+      return run_deck(comm, deck, {}, best_vector_level(), options, stop_asked);
+    } catch (const Stopped&) {
+      return {};
+    }
+  }
+
+  void expect_same_files(const std::string& a, const std::string& b) const {
+    if (!world_.is_root()) return;
+    for (const char* file : {"series.csv", "walls.csv", "trace.csv", "run.hdf.series", "run_0000002500.hdf"}) {
+      EXPECT_EQ(text_of(folder(a) + "/" + file), text_of(folder(b) + "/" + file)) << file;
+    }
+  }
+
+  Communicator world_;
+  std::filesystem::path folder_;
+};
+
+TEST_F(Restart, EndsAsARunThatWasNeverStopped) {
+  const std::optional<Summary> whole = run(world_, "whole", 0, false);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(checkpoints_in(folder("whole")).size(), 0U);
+  EXPECT_FALSE(run(world_, "parts", 3, false));
+  int stops = 1;
+  std::optional<Summary> parts;
+  for (; !parts; ++stops) parts = run(world_, "parts", 7, true);
+  EXPECT_GT(stops, 4);
+  EXPECT_EQ(parts->restarts, stops - 1);
+  EXPECT_EQ(parts->state_hash, whole->state_hash);
+  EXPECT_EQ(parts->inserted, 163);
+  EXPECT_GT(parts->left, 0);
+  EXPECT_EQ(parts->discharged_mass_kg, whole->discharged_mass_kg);
+  EXPECT_EQ(parts->discharge_time_s, whole->discharge_time_s);
+  for (std::size_t e = 0; e < whole->exits.size(); ++e) {
+    EXPECT_EQ(parts->exits[e].particles, whole->exits[e].particles);
+    EXPECT_EQ(parts->exits[e].mass_kg, whole->exits[e].mass_kg);
+  }
+  expect_same_files("whole", "parts");
+}
+
+TEST_F(Restart, GoesOnOnAnotherNumberOfRanks) {
+  const std::optional<Summary> whole = run(world_, "whole", 0, false);
+  EXPECT_FALSE(run(world_, "parts", 12, false));
+  for (int ranks = world_.size() - 1; ranks > 0; --ranks) {  // fewer and fewer
+    MPI_Comm some = MPI_COMM_NULL;
+    MPI_Comm_split(MPI_COMM_WORLD, world_.rank() < ranks ? 0 : MPI_UNDEFINED, 0, &some);
+    if (some != MPI_COMM_NULL) {
+      EXPECT_FALSE(run(Communicator(some), "parts", 4, true));
+      MPI_Comm_free(&some);
+    }
+    world_.barrier();
+  }
+  const std::optional<Summary> parts = run(world_, "parts", 0, true);
+  ASSERT_TRUE(parts && whole);
+  EXPECT_EQ(parts->state_hash, whole->state_hash);
+  expect_same_files("whole", "parts");
+}
+
+/// The message of the error with which a run ends.
+template <class Work>
+std::string error_of(Work&& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(Restart, OnlyOutputAndLimitsOfTheDeckMayDiffer) {
+  EXPECT_FALSE(run(world_, "parts", 20, false));
+  const std::string other = error_of([&] {
+    run(world_, "parts", 0, true, {"pair.0.restitution=0.5", "gravity=[0, 0, -9.8]", "output.series_interval=2e-3"});
+  });
+  EXPECT_NE(other.find("gravity: [0, 0, -9.81] there, [0, 0, -9.8] here; pair[0].restitution: 0.6 there, 0.5 here;"),
+            std::string::npos)
+      << other;
+  EXPECT_EQ(other.find("series_interval"), std::string::npos) << other;
+  const std::optional<Summary> limited =
+      run(world_, "parts", 0, true, {"output.snapshot_interval=0", "phase.1.max_time=5e-3"});
+  ASSERT_TRUE(limited);
+  EXPECT_EQ(limited->steps, 2000);
+}
+
+TEST_F(Restart, AnUnfinishedRunIsNotOverwritten) {
+  EXPECT_FALSE(run(world_, "parts", 5, false));
+  const std::string message = error_of([&] { run(world_, "parts", 0, false); });
+  EXPECT_NE(message.find("--restart"), std::string::npos) << message;
+  EXPECT_EQ(checkpoints_in(folder("parts")).size(), 1U);
+}
+
+TEST_F(Restart, ADamagedCheckpointGivesWayToTheOneBefore) {
+  const std::optional<Summary> whole = run(world_, "whole", 0, false);
+  EXPECT_FALSE(run(world_, "parts", 9, false, {"output.checkpoint_steps=300"}));
+  const std::vector<std::string> checkpoints = checkpoints_in(folder("parts"));
+  ASSERT_EQ(checkpoints.size(), 2U);
+  world_.barrier();
+  if (world_.is_root()) {
+    std::fstream file(checkpoints[0], std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(20000);
+    file.put('x');
+  }
+  world_.barrier();
+  const std::optional<Summary> parts = run(world_, "parts", 0, true);
+  ASSERT_TRUE(parts && whole);
+  EXPECT_EQ(parts->state_hash, whole->state_hash);
+  expect_same_files("whole", "parts");
+}
+
+TEST_F(Restart, RowsThatHaveGoneMissingAreNoticed) {
+  EXPECT_FALSE(run(world_, "parts", 20, false));
+  if (world_.is_root()) std::filesystem::resize_file(folder("parts") + "/series.csv", 100);
+  world_.barrier();
+  const std::string message = error_of([&] { run(world_, "parts", 0, true); });
+  EXPECT_NE(message.find("series.csv: holds 100 bytes"), std::string::npos) << message;
+}
+
+TEST_F(Restart, WithoutACheckpointItBegins) {
+  const std::optional<Summary> run_alone = run(world_, "new", 0, true);
+  ASSERT_TRUE(run_alone);
+  EXPECT_EQ(run_alone->restarts, 0);
+}
+
+}  // namespace
+}  // namespace repose::test

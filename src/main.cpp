@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -87,7 +88,8 @@ void dispatch(const Communicator& comm, const CommandLine& command, StopRequest&
 }  // namespace
 
 int main(int argc, char** argv) {
-  repose::StopRequest stop;  // before MPI starts: the time limit includes its start
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files: an error of the write, with its message
+  repose::StopRequest stop;       // before MPI starts: the time limit includes its start
   const repose::MpiGuard mpi(&argc, &argv);
   const repose::Communicator world(MPI_COMM_WORLD);
   try {

@@ -4,15 +4,17 @@
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 usage="usage: tools/run-tests.sh [--slow | --all] [--asan]
-  (none)   every test but those labelled slow, and each fuzz target for 20 s; less than 50 minutes on 2 cores
+  (none)   every test but those labelled slow; the unit tests a second time, on 1 and 2 ranks, under the address and
+           undefined-behaviour sanitizers; each fuzz target for 20 s. Less than 45 minutes on 2 cores
   --slow   the tests labelled slow instead, and each fuzz target for 5 minutes
   --all    every test
-  --asan   the same tests a second time under the address and undefined-behaviour sanitizers"
+  --asan   all of the chosen tests a second time under the sanitizers"
 
-# run_ctest PRESET: the chosen tests, one line for each on the terminal, the output of those that fail, ctest's verdict.
+# run_ctest PRESET OPTION...: the tests that the options choose, one line for each on the terminal, the output of those
+# that fail, ctest's verdict.
 run_ctest() {
   echo "Tests ($1):"
-  if ! ctest --preset "$1" "${chosen[@]}" --parallel "$(nproc)" 2>&1 </dev/null | tee -a "$log" |
+  if ! ctest --preset "$@" --parallel "$(nproc)" 2>&1 </dev/null | tee -a "$log" |
     grep --line-buffered -v '^ *Start '; then
     echo "Tests ($1) failed. Log: $log"
     exit 1
@@ -20,20 +22,25 @@ run_ctest() {
 }
 
 chosen=(-LE '^slow$')
-presets=(ci)
 for option in "$@"; do
   case $option in
-    --slow) chosen=(-L '^slow$') ;;
+    --slow) chosen=(-L '^slow$') only_slow=yes ;;
     --all) chosen=() ;;
-    --asan) presets+=(asan) ;;
+    --asan) everything_sanitized=yes ;;
     -h | --help) echo "$usage" && exit 0 ;;
     *) echo "$usage" >&2 && exit 2 ;;
   esac
 done
 
-presets+=(fuzz)
 set_up run-tests "${build_packages[@]}" "${test_packages[@]}"
-for preset in "${presets[@]}"; do
-  build "$preset"
-  run_ctest "$preset"
-done
+build ci
+run_ctest ci "${chosen[@]}"
+if [[ -n ${everything_sanitized:-} ]]; then
+  build asan
+  run_ctest asan "${chosen[@]}"
+elif [[ -z ${only_slow:-} ]]; then
+  build asan --target sanitized_tests
+  run_ctest asan -L '^sanitized$'
+fi
+build fuzz
+run_ctest fuzz "${chosen[@]}"

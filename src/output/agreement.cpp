@@ -1,6 +1,9 @@
 #include "output/agreement.h"
 
 #include <exception>
+#include <filesystem>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 
@@ -16,6 +19,9 @@ void agree_after(const Communicator& comm, const std::function<void()>& work) {
     failed = true;
     code = static_cast<int>(error.code());
     message = error.what();
+  } catch (const std::filesystem::filesystem_error& error) {
+    failed = true;
+    message = fmt::format("{}: cannot use this path: {}", error.path1().string(), error.code().message());
   } catch (const std::exception& error) {
     failed = true;
     message = error.what();

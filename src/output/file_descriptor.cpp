@@ -35,6 +35,16 @@ void FileDescriptor::write(std::string_view text) {
   }
 }
 
+void FileDescriptor::write_at(std::string_view bytes, std::int64_t place) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), place);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw_system_error("write", path_);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+    place += written;
+  }
+}
+
 void FileDescriptor::sync() {
   // Some file systems know no fsync of a folder (EINVAL); then there is nothing more that could be done.
   if (::fsync(descriptor_) != 0 && errno != EINVAL) throw_system_error("sync", path_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,8 @@ class FileDescriptor {
 
   int get() const { return descriptor_; }
   void write(std::string_view text);
+  /// At so many bytes from the start of the file.
+  void write_at(std::string_view bytes, std::int64_t place);
   void sync();
   /// Closes and reports, which the destructor cannot: some file systems tell only now that a write failed.
   void close();

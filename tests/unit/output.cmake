@@ -1,5 +1,5 @@
 repose_test(unit_output_text LABEL unit SOURCES output_text_test.cpp LINK repose_output)
-repose_test(unit_output_snapshot LABEL parallel RANKS 1 2 3 4 SOURCES output_snapshot_test.cpp LINK repose_output)
+repose_test(unit_output_snapshot SANITIZED LABEL parallel RANKS 1 2 3 4 SOURCES output_snapshot_test.cpp LINK repose_output)
 
 # The readers of the world, h5py and VTK's own, must see what was written.
 add_executable(output_snapshot_writer output_snapshot_writer.cpp)

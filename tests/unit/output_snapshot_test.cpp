@@ -110,7 +110,8 @@ TEST_F(SnapshotTest, BytesDoNotDependOnRanksOrBlocks) {
   for (const Blocks blocks : {Blocks::even, Blocks::all_on_last, Blocks::none_on_first}) {
     expect_serial_bytes(100, blocks);
     expect_serial_bytes(2, blocks);
-    expect_serial_bytes(50000, blocks);  // blocks of many pages that share a chunk
+    expect_serial_bytes(50000, blocks);   // blocks of many pages that share a chunk
+    expect_serial_bytes(300000, blocks);  // two chunks
   }
 }
 

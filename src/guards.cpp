@@ -57,7 +57,7 @@ Alarm too_far(const GuardView& view, std::size_t i) {
                               0.5 * longest_way / share * view.dt));
 }
 
-/// As the pass over the particles does (velocity_verlet.cpp).
+/// Beyond half of the range. A sum that has wrapped lies there, too, unless it were beyond three halves.
 bool is_nearly_full(const ForceSum& sum) {
   const auto beyond = [](std::int64_t s) { return s >= std::int64_t{1} << 62 || s < -(std::int64_t{1} << 62); };
   return std::any_of(sum.force, sum.force + 3, beyond) || std::any_of(sum.torque, sum.torque + 3, beyond);
@@ -100,14 +100,34 @@ std::optional<Alarm> find_unfit(const GuardView& view) {
     const ParticleRecord& p = particles.record[i];
     if (is_parked(p)) continue;
     if (!is_finite(p)) return not_finite(view, i);
-    if (i < particles.sum.size() && is_nearly_full(particles.sum[i])) {
-      const Vec3 from = p.position - view.dt * p.velocity;  // where they acted, unless the step is over
-      return alarm_at(view, i, from,
-                      fmt::format("the forces on particle {} at {} add up to more than half of what their fixed-point "
-                                  "sum holds; look for what presses so many particles against it",
-                                  particles.id[i], place_text(from)));
-    }
     if (!(squared_norm(view.dt * p.velocity) < squared_norm(Vec3{longest_way * p.radius}))) return too_far(view, i);
+  }
+  return {};
+}
+
+std::vector<std::int32_t> crowded_particles(std::span<const IndexPair> near, std::size_t owned) {
+  constexpr std::int32_t few = 2000;  // contributions, with those of walls less than half of what a sum holds
+  std::vector<std::int32_t> count(owned, 0);
+  std::vector<std::int32_t> crowded;
+  const auto add = [&](std::int32_t i) {
+    if (static_cast<std::size_t>(i) < owned && ++count[static_cast<std::size_t>(i)] == few) crowded.push_back(i);
+  };
+  for (const auto& [i, j] : near) {
+    add(i);
+    add(j);
+  }
+  return crowded;
+}
+
+std::optional<Alarm> find_full_sum(const GuardView& view, std::span<const std::int32_t> crowded) {
+  const Particles& particles = view.particles;
+  for (const std::int32_t k : crowded) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!is_nearly_full(particles.sum[i])) continue;
+    return alarm_at(view, i, particles.record[i].position,
+                    fmt::format("the forces on particle {} at {} add up to more than half of what their fixed-point "
+                                "sum holds; look for what presses so many particles against it",
+                                particles.id[i], place_text(particles.position(i))));
   }
   return {};
 }

@@ -4,10 +4,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "comm/communicator.h"
 #include "integration/time_step.h"
+#include "neighbours/near_pairs.h"
 #include "output/particle_table.h"
 #include "scene/materials.h"
 #include "scene/particles.h"
@@ -56,10 +58,16 @@ Alarm alarm_at(const GuardView& view, std::size_t index, const Vec3& place, cons
 /// (x, y, z) in m, as the messages have it.
 std::string place_text(const Vec3& place);
 
-/// The first owned particle with a position, velocity or spin that is not finite (or too large to be squared), that
-/// moves by longest_way of its radius in a step (velocity_verlet.h), or whose force sum is beyond half of its range.
-/// Nothing when all are fit.
+/// The first owned particle with a position, velocity or spin that is not finite (or too large to be squared), or that
+/// moves by longest_way of its radius in a step (velocity_verlet.h). Nothing when all are fit.
 std::optional<Alarm> find_unfit(const GuardView& view);
+
+/// The owned particles with so many near pairs that their force sums could come to be beyond half of their range, each
+/// contribution being in its own (contact/fixed_point.h). A big ball among small grains is one.
+std::vector<std::int32_t> crowded_particles(std::span<const IndexPair> near, std::size_t owned);
+
+/// The first of the `crowded` particles whose force sum is beyond half of its range; nothing when there is none.
+std::optional<Alarm> find_full_sum(const GuardView& view, std::span<const std::int32_t> crowded);
 
 /// Collective. The criteria of the time step with the fastest particle: GuardError beyond twice the share; beyond the
 /// share a warning, the same on all ranks, if one is `wanted`.

@@ -1,6 +1,7 @@
 #include "simulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -42,6 +43,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   const SmallestRadii radii = smallest_radii(insertion, materials_.size());
   time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now));
   check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
+  safe_step_ = longest_way / std::sqrt(3.0) * *std::min_element(radii.of_material.begin(), radii.of_material.end());
   const double longest = longest_skin(particles_.periodic, insertion.largest_radius());
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
   watch_ = SkinWatch({deck_.neighbours.inner_skin, horizon(inner_horizon_steps), 0.5 * longest},
@@ -76,7 +78,8 @@ void Simulation::advance(std::int64_t steps) {
     clock_.enter(Stage::integration);
     const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
     const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), particles_);
-    if (notes.unfit && !alarm_) alarm_ = find_unfit(guard_view(steps_ + 1));
+    const bool may_be_unfit = notes.skin_used_up || notes.longest_step >= safe_step_;
+    if (may_be_unfit && !alarm_) alarm_ = find_unfit(guard_view(steps_ + 1));
     scene_.step(dt, particles_);
     if (notes.outside > parked_ && !alarm_) count_leavers();
     const bool skin_used_up = notes.skin_used_up || scene_.held().skin_used_up(watch_.inner_marks(), particles_);
@@ -195,6 +198,7 @@ void Simulation::rebuild_lists(ContactMemory memory) {
   const std::vector<bool> needed = ghosts_in(near, particles_.owned, particles_.total());
   ghosts_.keep(needed, particles_);
   drop_ghosts(needed, particles_.owned, near);
+  crowded_ = crowded_particles(near, particles_.owned);
   add_lane_dummies(particles_);
   pairs_.build(particles_, near, memory.pairs);
   near = {};
@@ -282,6 +286,7 @@ void Simulation::evaluate_forces(double dt) {
     alarm_ = contact_alarm(guard_view(dt > 0.0 ? steps_ + 1 : steps_),
                            {pairs_, wall_contacts_, walls(), level_, max_overlap});
   }
+  if (!alarm_) alarm_ = find_full_sum(guard_view(dt > 0.0 ? steps_ + 1 : steps_), crowded_);
 }
 
 void Simulation::check_guards() const { throw_if_any(comm_, alarm_ ? alarm_ : find_unfit(guard_view(steps_))); }

@@ -156,7 +156,9 @@ class Simulation {
   std::int64_t steps_ = 0;
   StageClock clock_;
   RunCounters counters_;
-  std::optional<Alarm> alarm_;  ///< the first guard hit on this rank
+  double safe_step_ = 0.0;             ///< m: who moves by less along each axis has not moved by longest_way
+  std::vector<std::int32_t> crowded_;  ///< particles whose force sums could come to be full
+  std::optional<Alarm> alarm_;         ///< the first guard hit on this rank
   bool warned_of_time_step_ = false;
   std::optional<std::string> warning_;
 };

@@ -29,12 +29,6 @@ template <int kicks>
   }
 }
 
-/// 2^62 in the elements where a sum is beyond that, half of what its bits hold; zero elsewhere.
-[[gnu::always_inline]] inline QuadInt nearly_full(const QuadInt& sum) {
-  const auto bits = reinterpret_cast<QuadBits>(sum);
-  return reinterpret_cast<QuadInt>(((bits ^ (bits << 1)) >> 63) << 62);
-}
-
 /// In periodic directions the ways are rounded to the grid of the positions.
 template <int kicks, bool periodic>
 [[gnu::always_inline]] inline StepNotes kick_and_drift(const Vec3& gravity_in, double dt, const DomainDeck& domain,
@@ -52,12 +46,11 @@ template <int kicks, bool periodic>
   const double* force_to_acceleration = particles.force_to_acceleration.data();
   const double* torque_to_acceleration = particles.torque_to_acceleration.data();
   StepNotes notes;
-  QuadInt full = {};
+  Quad longest = {};
   for (std::size_t i = 0; i < marks.size(); ++i, record += 3, sum += 2) {
     kick<kicks>(gravity, 0.5 * dt, force_to_acceleration[i], torque_to_acceleration[i], sum, record);
-    sum[0] = nearly_full(sum[0]);
-    sum[1] = nearly_full(sum[1]);
-    full |= sum[0] | sum[1];
+    sum[0] = QuadInt{};
+    sum[1] = QuadInt{};
     Quad step = drift * record[1];
     if constexpr (periodic) step = (step + rounding) - rounding;
     const Quad position = record[0] + step;
@@ -66,12 +59,11 @@ template <int kicks, bool periodic>
     notes.outside += (beyond[0] | beyond[1] | beyond[2]) != 0 ? 1 : 0;
     const Quad way = position - mark[i];
     const Quad squares = way * way;
-    notes.skin_used_up |= squares[0] + squares[1] + squares[2] >= mark[i][3];
-    const Quad steps = step * step;
-    const double longest = longest_way * position[3];
-    notes.unfit |= !(steps[0] + steps[1] + steps[2] < longest * longest);  // a NaN is unfit, too
+    notes.skin_used_up |= !(squares[0] + squares[1] + squares[2] < mark[i][3]);  // a NaN is not where it was, either
+    const Quad lengths = magnitude(step);
+    longest = longest > lengths ? longest : lengths;
   }
-  notes.unfit |= (full[0] | full[1] | full[2]) != 0;
+  notes.longest_step = std::max({longest[0], longest[1], longest[2]});
   std::fill(particles.sum.begin() + static_cast<std::ptrdiff_t>(marks.size()), particles.sum.end(), ForceSum{});
   return notes;
 }

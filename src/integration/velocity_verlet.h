@@ -19,9 +19,8 @@ inline constexpr double longest_way = 0.5;
 /// What the first half of a step has noticed on its way over the particles.
 struct StepNotes {
   std::size_t outside = 0;    ///< particles that are not within the domain, parked ones too
-  bool skin_used_up = false;  ///< some particle has moved by its skin since it was marked
-  bool unfit = false;  ///< some particle has moved by longest_way of its radius in this step, or has gone to where
-                       ///< there are no numbers, or had a force sum beyond half of its range (which is left so)
+  bool skin_used_up = false;  ///< some particle has moved by its skin since it was marked, or is nowhere (NaN)
+  double longest_step = 0.0;  ///< m, the longest that any particle has moved in this step along x, y or z
 };
 
 /// Velocity Verlet with forces from half-step velocities: first half v += a dt/2, x += v dt, then the forces, then

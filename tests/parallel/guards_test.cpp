@@ -236,7 +236,7 @@ TEST(Guards, ASumOfForcesThatComesNearItsRangeIsNamed) {
     Scene scene(deck, {{{start, 0.0, 0.0}, {-speed, 0.0, 0.0}, {}, radius}}, best_vector_level(), {{"held.csv", csv}});
     scene.run(3);
   });
-  expect_parts(message, {"step 2: the forces on particle 2600 at (0.00195, 0, 0)",
+  expect_parts(message, {"step 1: the forces on particle 2600 at (0.00195, 0, 0)",
                          "more than half of what their fixed-point sum"});
 }
 

@@ -106,24 +106,19 @@ TEST(VelocityVerlet, NotesWhoIsOutsideAndWhoHasMoved) {
   EXPECT_EQ(notes(1.0, {{0.0, 0.0, 0.0}, {2.0, 2.0, 4.0}}).outside, 1U);
 }
 
-TEST(VelocityVerlet, NotesWhatIsUnfit) {
+TEST(VelocityVerlet, NotesTheLongestStepAndWhatIsNowhere) {
   for (const VectorLevel level : levels_here()) {
-    const auto unfit = [&](const Vec3& velocity, std::int64_t force, std::int64_t torque) {
+    const auto notes = [&](const Vec3& velocity) {
       Particles p = grain_and_ghost();
-      p.record[0].radius = 1.0;
       p.record[0].velocity = velocity;
-      p.sum[0] = {{0, force, 0, 0}, {0, 0, torque, 0}};
-      p.force_to_acceleration[0] = p.torque_to_acceleration[0] = 1e-30;
-      return step_first_half(level, {}, 1.0, domain, here, p).unfit;
+      p.sum[0] = {};
+      return step_first_half(level, {}, 0.5, domain, here, p);
     };
-    constexpr std::int64_t half = std::int64_t{1} << 62;
-    EXPECT_FALSE(unfit({0.29, 0.29, -0.28}, half - 1, -half)) << to_string(level);  // 0.497 radii
-    EXPECT_TRUE(unfit({0.29, 0.29, -0.29}, 0, 0)) << to_string(level);              // 0.502
-    EXPECT_TRUE(unfit({0.0, 0.0, 1e200}, 0, 0)) << to_string(level);
-    EXPECT_TRUE(unfit({0.0, std::nan(""), 0.0}, 0, 0)) << to_string(level);
-    EXPECT_TRUE(unfit({}, half, 0)) << to_string(level);
-    EXPECT_TRUE(unfit({}, -half - 1, 0)) << to_string(level);
-    EXPECT_TRUE(unfit({}, 0, half)) << to_string(level);
+    EXPECT_EQ(notes({0.5, 0.25, -0.25}).longest_step, 0.25) << to_string(level);
+    EXPECT_EQ(notes({0.5, -0.75, -0.25}).longest_step, 0.375) << to_string(level);
+    EXPECT_EQ(notes({0.5, -0.75, -1.0}).longest_step, 0.5) << to_string(level);
+    EXPECT_FALSE(notes({0.5, -0.75, -1.0}).skin_used_up) << to_string(level);
+    EXPECT_TRUE(notes({0.0, std::nan(""), 0.0}).skin_used_up) << to_string(level);
   }
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "domain/exits.h"
-#include "guards.h"
 #include "measurement/discharged_mass.h"
 #include "measurement/energies.h"
 #include "scene/sphere.h"
@@ -102,33 +101,6 @@ TEST(DischargedMass, CountsBelowTheOrificeAndAllExitsButTheTop) {
   EXPECT_NEAR(discharged_mass(comm, -0.5, materials, unit, p, left), (1.0 + 31.0) * mass, tolerance);
   EXPECT_NEAR(discharged_mass(comm, 1.0, materials, unit, p, left), (3.0 + 31.0) * mass, tolerance);
   EXPECT_NEAR(total_mass(comm, materials, unit, p, left), (3.0 + 31.0) * mass, tolerance);
-}
-
-std::string alarm_of(Scene& scene, const Particles& particles) {
-  const Simulation& s = scene.simulation();
-  return describe_alarm(particles, s.pairs(), s.wall_contacts(), s.walls(), 0.3, 42);
-}
-
-TEST(DescribeAlarm, NamesTheCulprit) {
-  Scene scene(bare_deck({}, 1e-6), {{{0.0, 0.0, 0.0}, {}, {}, radius},
-                                    {{0.0, 0.0, 2.01 * radius}, {}, {}, radius},
-                                    {{0.0, 0.0, 4.02 * radius}, {}, {}, radius}});
-  Particles deep = scene.simulation().particles();
-  for (std::size_t i = 0; i < deep.owned; ++i) {
-    if (deep.id[i] == 2) deep.record[i].position.z -= 0.4 * radius;
-  }
-  std::string message = alarm_of(scene, deep);
-  EXPECT_EQ(message.find("step 42: particles 1 and 2 overlap by 0.39 of the smaller radius at (0, 0, 0.00201)"), 0U)
-      << message;
-  EXPECT_NE(message.find("guards.max_overlap = 0.30"), std::string::npos) << message;
-
-  Particles lost = scene.simulation().particles();
-  lost.record[1].spin.y = std::nan("");
-  message = alarm_of(scene, lost);
-  EXPECT_EQ(message.find("step 42: particle " + std::to_string(lost.id[1]) + " has a position"), 0U) << message;
-
-  message = alarm_of(scene, scene.simulation().particles());
-  EXPECT_EQ(message.find("step 42: a contact force is beyond the range"), 0U) << message;
 }
 
 }  // namespace

@@ -57,7 +57,12 @@ void Checkpoints::write(const Communicator& comm, const CheckpointHeader& header
   const std::string path = fmt::format("{}/{}", directory_, file_of_step(prefix, header.step));
   write_checkpoint(comm, path, header, particles, memory);
   agree_after_root(comm, [&] {
-    const std::vector<std::string> all = checkpoints_in(directory_);
+    std::vector<std::string> all = checkpoints_in(directory_);
+    // What is of a later step is damaged, or the run would have gone on from there: it must not count.
+    std::erase_if(all, [&](const std::string& other) {
+      const bool is_later = step_of_file(std::filesystem::path(other).filename().string(), prefix) > header.step;
+      return is_later && std::filesystem::remove(other);
+    });
     for (std::size_t k = kept; k < all.size(); ++k) std::filesystem::remove(all[k]);
   });
   last_ = Clock::now();

@@ -7,11 +7,13 @@
 
 #include "base/error.h"
 #include "check.h"
+#include "checkpoints.h"
 #include "comm/communicator.h"
 #include "command_line.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "finished_run.h"
+#include "output/agreement.h"
 #include "run.h"
 #include "shared_file.h"
 #include "stop_request.h"
@@ -57,6 +59,7 @@ void run(const Communicator& comm, const CommandLine& command, StopRequest& stop
   const OutputOptions options = {command.output, resolved_deck(deck), build_info(to_string(level)), command.quiet,
                                  command.restart};
   if (command.restart && is_finished(comm, command.output, options.resolved_deck)) {
+    agree_after_root(comm, [&] { remove_checkpoints(command.output); });  // of a run that was ended just then
     say(comm, fmt::format("the run is complete already: results in {}\n", command.output));
     return;
   }

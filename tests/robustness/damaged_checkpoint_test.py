@@ -48,7 +48,8 @@ def damage(path, how, draw):
 
 
 class Damaged:
-    def __init__(self, program, deck, folder, begun, reference, draw):
+    def __init__(self, program, library, deck, folder, begun, reference, draw):
+        self.library = library
         self.program, self.deck, self.folder, self.begun, self.reference = program, deck, folder, begun, reference
         self.draw = draw
 
@@ -66,6 +67,15 @@ class Damaged:
         assert f"goes on from {os.path.join(output, older)}" in out, f"{what}: {out}"
         check_same_results(output, self.reference)
         print(f"{newest}, {what}: {err.strip().splitlines()[0]}", flush=True)
+
+    def skipped_one_does_not_count(self):
+        """Checkpoints at other steps than before: the damaged one goes when the first of them is there, not the good ones."""
+        output, newest, older = self.copy()
+        damage(os.path.join(output, newest), flip_bit, self.draw)
+        leave_checkpoints(self.program, self.library, self.deck, output, *BRIEF, "output.checkpoint_steps=45",
+                          options=("--restart",))
+        expected = ["checkpoint_0000000270.hdf", "checkpoint_0000000225.hdf"]
+        assert checkpoints_of(output) == expected, checkpoints_of(output)
 
     def all_are_refused(self):
         output, newest, older = self.copy()
@@ -87,9 +97,10 @@ def main():
         program.run(deck, reference, *BRIEF)
         leave_checkpoints(program, library, deck, begun, *BRIEF)
         assert checkpoints_of(begun) == ["checkpoint_0000000300.hdf", "checkpoint_0000000200.hdf"], checkpoints_of(begun)
-        damaged = Damaged(program, deck, folder, begun, reference, random.Random(seed))
+        damaged = Damaged(program, library, deck, folder, begun, reference, random.Random(seed))
         for trial in range(trials):
             damaged.newest_is_skipped((flip_bit, truncate, flip_bit, blank, append)[trial % 5], 2 if trial % 6 == 0 else 0)
+        damaged.skipped_one_does_not_count()
         damaged.all_are_refused()
 
 

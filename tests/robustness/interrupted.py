@@ -13,10 +13,10 @@ BRIEF = (*MEDIUM, "phase.settle.max_time=1 ms", "phase.settle.min_time=1 ms", "p
          "phase.discharge.min_time=1 ms")
 
 
-def leave_checkpoints(program, library, deck, output, *overrides):
+def leave_checkpoints(program, library, deck, output, *overrides, options=()):
     """A run whose disk fails when the summary is written: all is there but the end."""
     faults = {"LD_PRELOAD": library, "FAULT_FILE": "summary.json.partial"}
-    with Job(command(program, deck, output, *overrides), env=faults) as job:
+    with Job(command(program, deck, output, *overrides, options=options), env=faults) as job:
         code, _, stderr = job.end()
     assert code == 4 and "summary.json: cannot write" in stderr, f"exit {code}: {stderr}"
     assert not os.path.exists(os.path.join(output, "summary.json"))

@@ -54,6 +54,14 @@ std::vector<std::string> read_materials(const Hdf5FileHandle& snapshot, const st
   return names;
 }
 
+std::int64_t read_count(const Hdf5FileHandle& snapshot, const char* name, const std::string& file) {
+  const std::string action = fmt::format("read the attribute {}, which every snapshot has", name);
+  const Hdf5Attribute attribute(check_hdf5(H5Aopen(snapshot.get(), name, H5P_DEFAULT), file, action));
+  std::int64_t count = 0;
+  check_hdf5(H5Aread(attribute.get(), hdf5_type<std::int64_t>(), &count), file, action);
+  return count;
+}
+
 /// The index in the deck of each material of the snapshot; -1: the deck does not have it.
 std::vector<int> translation(const std::vector<std::string>& names, const std::vector<MaterialDeck>& materials) {
   std::vector<int> indices;
@@ -71,6 +79,12 @@ std::vector<Vec3> vectors(std::span<const double> values) {
 }
 
 }  // namespace
+
+bool is_snapshot(const std::string& bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
+
+std::int64_t left_before_snapshot(const std::string& bytes, const std::string& file) {
+  return read_count(open_image(bytes, file), "left", file);
+}
 
 NewParticles parse_snapshot(const std::string& bytes, const std::string& file,
                             const std::vector<MaterialDeck>& materials) {

@@ -130,7 +130,7 @@ Summary sample_summary() {
   summary.phases = {{"fill", 50000, "time"}, {"discharge", 220000, "max_time"}};
   summary.retained_mass_kg = 1.0 / 3.0;
   summary.plugged = false;
-  summary.angle_of_repose_deg = std::nan("");
+  summary.pile.angle_of_repose_deg = std::nan("");
   summary.particle_steps_per_second = std::numeric_limits<double>::infinity();
   summary.state_hash = "not UTF-8: \xff";
   return summary;

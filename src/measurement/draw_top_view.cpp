@@ -68,10 +68,11 @@ void draw_grains(Canvas& canvas, const Frame& frame, const ScatteringDeck& deck,
   });
   if (shown.empty()) return;
   std::sort(shown.begin(), shown.end(), [](const Sphere& a, const Sphere& b) { return a.centre.z < b.centre.z; });
-  const double top = std::max(shown.back().centre.z - deck.plate_height, 1e-300);
+  const std::size_t nearly_highest = shown.size() - 1 - shown.size() / 100;  // a grain that still falls is no summit
+  const double top = std::max(shown[nearly_highest].centre.z - deck.plate_height, 1e-300);
   for (const Sphere& grain : shown) {
     const double distance = std::hypot(grain.centre.x - deck.axis.x, grain.centre.y - deck.axis.y);
-    const double height = (grain.centre.z - deck.plate_height) / top;
+    const double height = std::min((grain.centre.z - deck.plate_height) / top, 1.0);
     const Colour colour = lighter(colour_at(deck, result, distance), 0.65 * height);
     const double radius = frame.pixels_per_metre * grain.radius;
     const Pixel centre = frame.at(grain.centre.x, grain.centre.y);

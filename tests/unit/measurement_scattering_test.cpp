@@ -79,6 +79,23 @@ TEST(BaseRadius, LooksOverACrater) {
   EXPECT_NEAR(*base_radius(plate(), grains), *base_radius(plate(), scene()), 0.05 * test::diameter);
 }
 
+/// Few grains make the density about the axis uncertain; the densest ring is not that of the pile.
+TEST(BaseRadius, DoesNotTakeAFewCrowdedGrainsForThePile) {
+  std::vector<Sphere> grains = scene();
+  test::add_strays(grains, 40, 0.0, 0.5e-3, 6);
+  EXPECT_NEAR(*base_radius(plate(), grains), *base_radius(plate(), scene()), 0.05 * test::diameter);
+}
+
+/// What lies upon others does not count: here a wide ring of grains.
+TEST(BaseRadius, SeesOnlyWhatLiesOnThePlate) {
+  std::vector<Sphere> grains = scene();
+  std::vector<Sphere> upper;
+  test::add_strays(upper, 3000, 9e-3, 14e-3, 7);
+  for (Sphere& grain : upper) grain.centre.z += 0.8 * test::diameter;
+  grains.insert(grains.end(), upper.begin(), upper.end());
+  EXPECT_NEAR(*base_radius(plate(), grains), *base_radius(plate(), scene()), 0.05 * test::diameter);
+}
+
 TEST(BaseRadius, GrowsWhenLessDensityIsEnough) {
   ScatteringDeck deck = plate();
   deck.ring_width = 0.5e-3;
@@ -150,6 +167,18 @@ TEST(Scattering, WithAGivenBase) {
   EXPECT_EQ(without.area_1.count, 60);
   EXPECT_EQ(without.area_3.count, 0);
   EXPECT_EQ(without.area_3.error, 1.0);  // none seen is no proof of none
+}
+
+TEST(Scattering, ABoundaryBelongsToTheAreaOutside) {
+  ScatteringDeck deck = plate();
+  deck.base_radius = 8e-3;
+  deck.area_1_width = 4e-3;
+  std::vector<Sphere> grains;
+  for (const double x : {8e-3, 12e-3, 20e-3, std::nextafter(8e-3, 0.0)}) grains.push_back({{x, 0.0, 1e-3}, 1e-3});
+  const Scattering s = measure(deck, grains);
+  EXPECT_EQ(s.area_1.count, 1);
+  EXPECT_EQ(s.area_2->count, 1);
+  EXPECT_EQ(s.area_3.count, 1);
 }
 
 TEST(Scattering, HasNoArea2WhereTheOthersMeet) {

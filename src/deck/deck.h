@@ -226,20 +226,18 @@ struct AngleOfReposeDeck {
 };
 
 struct ScatteringDeck {
-  bool enabled = false;                 ///< true when the deck has the section
-  double plate_height = unset;          ///< z of the plate's surface
-  Vec3 plate_min{unset, unset, unset};  ///< x and y of the plate's edge; default: the domain's
-  Vec3 plate_max{unset, unset, unset};
-  double max_height = unset;           ///< z above which grains are not on the plate; default orifice_height
-  Vec3 axis;                           ///< a point on the vertical axis of pile and areas (x and y count)
-  double on_plate_gap = 0.25;          ///< of its diameter: nearer to the plate, a grain lies on it
-  double ring_width = unset;           ///< of the radial number density; default two median diameters
-  double base_share = 0.5;             ///< of the number density under the pile: where it falls below, the base ends
-  double base_radius = unset;          ///< from which areas 1 and 2 are counted; default: as measured
-  double area_1_width = unset;         ///< of the ring next to the base
-  double area_3_radius = unset;        ///< of the outermost circle
-  std::vector<double> area_1_widened;  ///< other widths to count with
-  std::vector<double> area_3_widened;  ///< other radii to count with
+  bool enabled = false;                                ///< true when the deck has the section
+  double plate_height = unset;                         ///< z of the plate's surface
+  Vec3 plate_min{unset, unset, unset};                 ///< x and y of the plate's edge; default: the domain's
+  Vec3 plate_max{unset, unset, unset};                 ///< as plate_min
+  double max_height = unset;                           ///< z above which grains do not count; default orifice_height
+  Vec3 axis;                                           ///< a point on the vertical axis of the areas (x and y count)
+  double on_plate_gap = 0.25;                          ///< of its diameter: nearer to the plate, a grain lies on it
+  double ring_width = unset;                           ///< to find the base; default two median diameters
+  double base_share = 0.5;                             ///< of the density under the pile, below which the base ends
+  double base_radius = unset;                          ///< from which area 1 is counted; default: as measured
+  double area_1_width = unset, area_3_radius = unset;  ///< of the ring next to the base; of the outermost circle
+  std::vector<double> area_1_widened, area_3_widened;  ///< others to count with
 };
 
 struct TiltOnsetDeck {

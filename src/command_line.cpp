@@ -10,11 +10,15 @@
 namespace repose {
 namespace {
 
-void add_deck_options(CLI::App& command, CommandLine& line) {
-  command.add_option("DECK", line.deck, "deck (TOML)")->required();
+void add_overrides(CLI::App& command, CommandLine& line) {
   command.add_option("--set", line.overrides, "replace a key of the deck, such as time.step=2e-6; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);  // one value for each --set, so that DECK may follow
+}
+
+void add_deck_options(CLI::App& command, CommandLine& line) {
+  command.add_option("DECK", line.deck, "deck (TOML)")->required();
+  add_overrides(command, line);
 }
 
 /// Seconds of "HH:MM:SS" or "D-HH:MM:SS", as batch systems write time limits.
@@ -35,6 +39,15 @@ double seconds_of(const std::string& time_limit) {
     throw DeckError(fmt::format("--time-limit {}: HH:MM:SS or D-HH:MM:SS was expected", time_limit));
   }
   return 86400.0 * days + 3600.0 * hours + 60.0 * minutes + seconds;
+}
+
+CLI::App* add_measure(CLI::App& app, CommandLine& line) {
+  CLI::App* measure = app.add_subcommand("measure", "measure the pile of a finished run, or a list of grains, again");
+  measure->add_option("FILE", line.file, "snapshot (.hdf), or CSV with the header x,y,z,radius")->required();
+  measure->add_option("--deck", line.deck, "deck (TOML) that says what to measure")->required()->type_name("DECK");
+  add_overrides(*measure, line);
+  measure->add_option("--output", line.output, "directory of measurement.json and the pictures")->type_name("DIR");
+  return measure;
 }
 
 CLI::App* add_run(CLI::App& app, CommandLine& line) {
@@ -70,6 +83,7 @@ CommandLine parse_command_line(int argc, char** argv) {
   const CLI::App* run = add_run(app, line);
   CLI::App* check = app.add_subcommand("check", "resolve a deck and print what a run would take");
   add_deck_options(*check, line);
+  const CLI::App* measure = add_measure(app, line);
   const CLI::App* keys = app.add_subcommand("keys", "list every key of a deck");
   bool wants_version = false;
   app.add_flag("--version", wants_version, "version, commit, compiler, flags, MPI, HDF5, vector level");
@@ -84,6 +98,7 @@ CommandLine parse_command_line(int argc, char** argv) {
   }
   if (run->parsed()) line.action = CommandLine::Action::run;
   if (check->parsed()) line.action = CommandLine::Action::check;
+  if (measure->parsed()) line.action = CommandLine::Action::measure;
   if (keys->parsed()) line.action = CommandLine::Action::keys;
   if (wants_version) line.action = CommandLine::Action::version;
   if (line.action == CommandLine::Action::none) throw DeckError("nothing to do: name a command; see repose --help");

@@ -13,7 +13,9 @@
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "finished_run.h"
+#include "measure.h"
 #include "output/agreement.h"
+#include "pile_measurement.h"
 #include "run.h"
 #include "shared_file.h"
 #include "stop_request.h"
@@ -44,11 +46,7 @@ std::string closing_lines(const Summary& s, const std::string& directory) {
                         number(s.retained_mass_kg, 1e3), s.plugged.value_or(false) ? " (plugged)" : "",
                         number(s.discharge_time_s, 1.0), number(s.discharge_rate_kg_s, 1e3));
   }
-  if (s.angle_of_repose_deg) {
-    text += fmt::format("angle of repose {} +- {} degrees (left {}, right {})\n", number(s.angle_of_repose_deg, 1.0),
-                        number(s.angle_of_repose_stderr_deg, 1.0), number(s.angle_of_repose_left_deg, 1.0),
-                        number(s.angle_of_repose_right_deg, 1.0));
-  }
+  text += pile_lines(s.pile);
   return text + fmt::format("state {}\nresults in {}\n", s.state_hash, directory);
 }
 
@@ -73,12 +71,19 @@ void check(const Communicator& comm, const CommandLine& command) {
   say(comm, check_report(deck, reader_beside(comm, command.deck), comm.size()));
 }
 
+void measure(const Communicator& comm, const CommandLine& command) {
+  const Deck deck = read_deck(read_shared_file(comm, command.deck), command.deck, command.overrides);
+  say(comm, measure_file(comm, deck, command.file, command.output));
+}
+
 void dispatch(const Communicator& comm, const CommandLine& command, StopRequest& stop) {
   switch (command.action) {
     case CommandLine::Action::run:
       return run(comm, command, stop);
     case CommandLine::Action::check:
       return check(comm, command);
+    case CommandLine::Action::measure:
+      return measure(comm, command);
     case CommandLine::Action::keys:
       return say(comm, key_reference());
     case CommandLine::Action::version:

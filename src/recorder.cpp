@@ -111,8 +111,8 @@ Effort Recorder::effort() const {
 
 /// What an earlier run has left in the same directory would pass for this one's.
 void Recorder::remove_earlier_results() const {
-  for (const char* name :
-       {"summary.json", "silhouette.png", "run.hdf.series", "trace.csv", "walls.csv", "surface_angle.csv"}) {
+  for (const char* name : {"summary.json", silhouette_file, top_view_file, "run.hdf.series", "trace.csv", "walls.csv",
+                           "surface_angle.csv"}) {
     std::filesystem::remove(path(name));
   }
   remove_snapshots_after(-1);
@@ -322,8 +322,7 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
     s.discharge_rate_kg_s = d.rate;
     s.plugged = d.plugged;
   }
-  if (simulation.deck().angle_of_repose.enabled && !s.plugged.value_or(false))
-    summarise_pile(simulation, path("silhouette.png"), s);
+  summarise_pile(simulation, options_.directory, s);
   if (surface_angle_) surface_angle_->summarise(s);
   if (tilt_onset_) summarise_tilt_onset(simulation, read_file, *tilt_onset_, s);
   const Effort all = effort();

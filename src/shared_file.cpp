@@ -44,15 +44,17 @@ std::string read_file(const std::string& path) {
 
 }  // namespace
 
+std::string read_whole_file(const std::string& path) {
+  try {
+    return read_file(path);
+  } catch (const std::bad_alloc&) {
+    throw FileError(path + ": does not fit into the memory");
+  }
+}
+
 std::string read_shared_file(const Communicator& comm, const std::string& path) {
   std::string text;
-  agree_after_root(comm, [&] {
-    try {
-      text = read_file(path);
-    } catch (const std::bad_alloc&) {
-      throw FileError(path + ": does not fit into the memory");
-    }
-  });
+  agree_after_root(comm, [&] { text = read_whole_file(path); });
   comm.broadcast(text);
   return text;
 }

@@ -6,8 +6,10 @@
 
 namespace repose {
 
-/// Collective. The text of a regular file, read by rank 0 alone. FileError on all ranks when it cannot be read, or is a
-/// directory, a pipe or a device.
+/// The bytes of a regular file. FileError when it cannot be read, or is a directory, a pipe or a device.
+std::string read_whole_file(const std::string& path);
+
+/// Collective. The same, read by rank 0 alone; FileError on all ranks.
 std::string read_shared_file(const Communicator& comm, const std::string& path);
 
 }  // namespace repose

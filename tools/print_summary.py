@@ -9,6 +9,17 @@ def figure(value, unit, scale=1.0):
     return "-" if value is None else f"{scale * value:.4g} {unit}"
 
 
+def grains(area):
+    return "-" if area is None else f"{area['count']} +- {area['error']:.0f}"
+
+
+def scattering_rows(scattering):
+    yield "base of the pile", figure(scattering["base_diameter_m"], "mm in diameter", 1e3)
+    for number in (1, 2, 3):
+        yield f"grains on area {number}", grains(scattering[f"area_{number}"])
+    yield "grains off the plate", str(scattering["off_plate"])
+
+
 def rows(summary):
     """Pairs of a quantity's name and its printed value, from the keys that every summary.json has."""
     get = summary.get
@@ -26,6 +37,8 @@ def rows(summary):
     yield "angle of repose, left", figure(get("angle_of_repose_left_deg"), "deg")
     yield "angle of repose, right", figure(get("angle_of_repose_right_deg"), "deg")
     yield "angle of repose, mean", angle
+    if get("scattering") is not None:
+        yield from scattering_rows(summary["scattering"])
     yield "wall time", f"{figure(get('wall_seconds'), 's')} on {summary['ranks']} ranks"
 
 

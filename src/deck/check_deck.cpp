@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -92,9 +93,7 @@ void check_pairs(const Deck& deck, DeckErrors& errors) {
   }
 }
 
-void check_measurement(const Deck& deck, DeckErrors& errors) {
-  const AngleOfReposeDeck& a = deck.angle_of_repose;
-  if (!a.enabled) return;
+void check_angle_of_repose(const AngleOfReposeDeck& a, DeckErrors& errors) {
   const std::string section = "measurement.angle_of_repose";
   if (a.fit_from >= a.fit_to) {
     errors.add(section + ".fit_to",
@@ -104,6 +103,35 @@ void check_measurement(const Deck& deck, DeckErrors& errors) {
     errors.add(section + ".max_height",
                fmt::format("\"max_height\" = {} must be above \"plate_height\" = {}", a.max_height, a.plate_height));
   }
+}
+
+void check_scattering(const ScatteringDeck& s, DeckErrors& errors) {
+  const std::string section = "measurement.scattering";
+  if (!(s.plate_min.x < s.plate_max.x && s.plate_min.y < s.plate_max.y)) {
+    errors.add(section + ".plate_max", "\"plate_max\" must be greater than \"plate_min\" in x and y");
+    return;
+  }
+  if (s.max_height <= s.plate_height) {
+    errors.add(section + ".max_height",
+               fmt::format("\"max_height\" = {} must be above \"plate_height\" = {}", s.max_height, s.plate_height));
+  }
+  const double corner = std::hypot(std::max(s.axis.x - s.plate_min.x, s.plate_max.x - s.axis.x),
+                                   std::max(s.axis.y - s.plate_min.y, s.plate_max.y - s.axis.y));
+  const auto check_radius = [&](const std::string& key, double radius) {
+    if (radius < corner) return;
+    errors.add(section + "." + key,
+               fmt::format("{} leaves nothing for area 3: the plate's farthest corner is {:.4g} from the axis", radius,
+                           corner));
+  };
+  check_radius("area_3_radius", s.area_3_radius);
+  for (std::size_t i = 0; i < s.area_3_widened.size(); ++i) {
+    check_radius(fmt::format("area_3_widened.{}", i), s.area_3_widened[i]);
+  }
+}
+
+void check_measurement(const Deck& deck, DeckErrors& errors) {
+  if (deck.angle_of_repose.enabled) check_angle_of_repose(deck.angle_of_repose, errors);
+  if (deck.scattering.enabled) check_scattering(deck.scattering, errors);
 }
 
 }  // namespace

@@ -225,6 +225,21 @@ struct AngleOfReposeDeck {
   double camera_height = unset;    ///< perspective: z of the camera
 };
 
+struct ScatteringDeck {
+  bool enabled = false;                                ///< true when the deck has the section
+  double plate_height = unset;                         ///< z of the plate's surface
+  Vec3 plate_min{unset, unset, unset};                 ///< x and y of the plate's edge; default: the domain's
+  Vec3 plate_max{unset, unset, unset};                 ///< as plate_min
+  double max_height = unset;                           ///< z above which grains do not count; default orifice_height
+  Vec3 axis;                                           ///< a point on the vertical axis of the areas (x and y count)
+  double on_plate_gap = 0.25;                          ///< of its diameter: nearer to the plate, a grain lies on it
+  double ring_width = unset;                           ///< to find the base; default two median diameters
+  double base_share = 0.5;                             ///< of the density under the pile, below which the base ends
+  double base_radius = unset;                          ///< from which area 1 is counted; default: as measured
+  double area_1_width = unset, area_3_radius = unset;  ///< of the ring next to the base; of the outermost circle
+  std::vector<double> area_1_widened, area_3_widened;  ///< others to count with
+};
+
 struct TiltOnsetDeck {
   bool enabled = false;         ///< true when the deck has the section
   std::int64_t particle = 0;    ///< id
@@ -279,6 +294,7 @@ struct Deck {
   std::vector<PhaseDeck> phases;      ///< [[phase]]
   DischargeDeck discharge;            ///< [measurement.discharge]
   AngleOfReposeDeck angle_of_repose;  ///< [measurement.angle_of_repose]
+  ScatteringDeck scattering;          ///< [measurement.scattering]
   TiltOnsetDeck tilt_onset;           ///< [measurement.tilt_onset]
   SurfaceAngleDeck surface_angle;     ///< [measurement.surface_angle]
   OutputDeck output;

@@ -28,6 +28,7 @@ void describe(V& v, Deck& d) {
   v.group("measurement", [&d](V& g) {
     g.section("discharge", d.discharge, optional, "measure the mass that leaves an orifice");
     g.section("angle_of_repose", d.angle_of_repose, optional, "measure the slope of the pile from its side view");
+    g.section("scattering", d.scattering, optional, "count the grains that lie around the pile, seen from above");
     g.section("tilt_onset", d.tilt_onset, optional, "measure the tilt at which a particle begins to move");
     g.section("surface_angle", d.surface_angle, optional, "measure the slope of the bed in a rotating drum");
   });

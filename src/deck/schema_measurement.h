@@ -32,6 +32,33 @@ void describe(V& v, AngleOfReposeDeck& a) {
 }
 
 template <class V>
+void describe(V& v, ScatteringDeck& s) {
+  v("plate_height", s.plate_height, Unit::metre, any_value, required, "z of the plate's surface");
+  v("plate_min", s.plate_min, Unit::metre, any_value, optional_else("the domain's min"),
+    "the plate's edge; its z does not matter");
+  v("plate_max", s.plate_max, Unit::metre, any_value, optional_else("the domain's max"),
+    "the plate's edge; its z does not matter");
+  v("max_height", s.max_height, Unit::metre, any_value, optional_else("orifice_height, or the domain's top"),
+    "z above which particles do not count");
+  v("axis", s.axis, Unit::metre, any_value, optional,
+    "a point on the vertical axis of the areas; its z does not matter");
+  v("on_plate_gap", s.on_plate_gap, Unit::none, above_to(0, 1), optional,
+    "share of its diameter: a particle whose lowest point is nearer to the plate lies on it");
+  v("ring_width", s.ring_width, Unit::metre, above(0), optional_else("two median diameters"),
+    "width of the rings in which the particles that lie on the plate are counted to find the base");
+  v("base_share", s.base_share, Unit::none, Range{.min = 0, .max = 1, .excludes_min = true, .excludes_max = true},
+    optional, "the base ends where their number density falls below this share of that under the pile");
+  v("base_radius", s.base_radius, Unit::metre, above(0), optional_else("as measured"),
+    "radius from which area 1 is counted");
+  v("area_1_width", s.area_1_width, Unit::metre, above(0), required, "width of area 1, the ring next to the base");
+  v("area_3_radius", s.area_3_radius, Unit::metre, above(0), required,
+    "radius of the outermost circle; area 3 is from there to the plate's edge");
+  v("area_1_widened", s.area_1_widened, Unit::metre, above(0), optional, "other widths of area 1 to count with");
+  v("area_3_widened", s.area_3_widened, Unit::metre, above(0), optional,
+    "other radii of the outermost circle to count with");
+}
+
+template <class V>
 void describe(V& v, TiltOnsetDeck& t) {
   v("particle", t.particle, Unit::none, at_least(0), optional, "its id: particles are numbered as the deck lists them");
   v("against", t.against, Unit::none, any_value, required,

@@ -1,14 +1,9 @@
 #include "measurement/canvas.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 
-#include <fcntl.h>
 #include <png.h>
-#include <unistd.h>
 
 #include "base/error.h"
 #include "measurement/bitmap_font.h"
@@ -42,6 +37,17 @@ void Canvas::fill(Pixel low, Pixel high, Colour colour, Distance distance) {
 void Canvas::disc(Pixel centre, double radius, Colour colour) {
   fill({centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}, colour,
        [&](double x, double y) { return std::hypot(x - centre.x, y - centre.y) - radius; });
+}
+
+void Canvas::circle(Pixel centre, double radius, double thickness, Colour colour) {
+  const double outer = radius + 0.5 * thickness;
+  fill({centre.x - outer, centre.y - outer}, {centre.x + outer, centre.y + outer}, colour, [&](double x, double y) {
+    return std::fabs(std::hypot(x - centre.x, y - centre.y) - radius) - 0.5 * thickness;
+  });
+}
+
+void Canvas::rectangle(Pixel low, Pixel high, Colour colour) {
+  fill(low, high, colour, [&](double x, double y) { return std::max({low.x - x, x - high.x, low.y - y, y - high.y}); });
 }
 
 void Canvas::line(Pixel from, Pixel to, double thickness, Colour colour) {
@@ -83,54 +89,19 @@ void Canvas::text(Pixel at, std::string_view text, int scale, Colour colour) {
   }
 }
 
-namespace {
-
-std::vector<std::uint8_t> encode_png(const std::vector<std::uint8_t>& rgb, std::size_t width, std::size_t height,
-                                     const std::string& path) {
+std::string Canvas::png() const {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width);
-  image.height = static_cast<png_uint_32>(height);
+  image.width = static_cast<png_uint_32>(width_);
+  image.height = static_cast<png_uint_32>(height_);
   image.format = PNG_FORMAT_RGB;
   png_alloc_size_t bytes = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::vector<std::uint8_t> png(bytes);
-  if (png_image_write_to_memory(&image, png.data(), &bytes, 0, rgb.data(), 0, nullptr) == 0) {
-    throw FileError(path + ": cannot be encoded: " + image.message);
+  std::string png(bytes, '\0');
+  if (png_image_write_to_memory(&image, png.data(), &bytes, 0, rgb_.data(), 0, nullptr) == 0) {
+    throw FileError(std::string("a picture cannot be encoded: ") + image.message);
   }
   png.resize(bytes);
   return png;
-}
-
-/// False, with errno set, when not every byte has reached the disc.
-bool write_synced(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return false;
-  std::size_t done = 0;
-  bool good = true;
-  while (good && done < bytes.size()) {
-    const ssize_t written = ::write(file, bytes.data() + done, bytes.size() - done);
-    if (written >= 0)
-      done += static_cast<std::size_t>(written);
-    else
-      good = errno == EINTR;
-  }
-  good = good && ::fsync(file) == 0;
-  const int failure = errno;
-  const bool closed = ::close(file) == 0;
-  if (!good) errno = failure;
-  return good && closed;
-}
-
-}  // namespace
-
-void Canvas::write_png(const std::string& path) const {
-  const std::vector<std::uint8_t> png = encode_png(rgb_, width_, height_, path);
-  const std::string beside = path + ".part";
-  if (!write_synced(beside, png) || std::rename(beside.c_str(), path.c_str()) != 0) {
-    const int failure = errno;
-    ::unlink(beside.c_str());
-    throw FileError(path + ": cannot be written: " + std::strerror(failure));
-  }
 }
 
 }  // namespace repose

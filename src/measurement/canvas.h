@@ -25,6 +25,9 @@ class Canvas {
   Canvas(std::size_t width, std::size_t height);
 
   void disc(Pixel centre, double radius, Colour colour);
+  /// The line of a circle.
+  void circle(Pixel centre, double radius, double thickness, Colour colour);
+  void rectangle(Pixel low, Pixel high, Colour colour);
   void line(Pixel from, Pixel to, double thickness, Colour colour);
   void dashed_line(Pixel from, Pixel to, double thickness, double dash, Colour colour);
   /// Text with its top left corner at `at`, in the letters of bitmap_font.h, `scale` pixels per dot.
@@ -33,8 +36,8 @@ class Canvas {
   std::size_t width() const { return width_; }
   std::size_t height() const { return height_; }
 
-  /// Writes a PNG, which appears whole or not at all. FileError when it cannot be written.
-  void write_png(const std::string& path) const;
+  /// The bytes of a PNG file. FileError when it cannot be encoded.
+  std::string png() const;
 
  private:
   /// Covers, of every pixel near the box, the share that `distance` (px, negative inside the shape) tells.

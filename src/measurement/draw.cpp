@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "measurement/bitmap_font.h"
-#include "measurement/canvas.h"
+#include "measurement/picture_parts.h"
 
 namespace repose {
 namespace {
@@ -16,11 +15,6 @@ constexpr double margin = 60.0;
 constexpr double header = 150.0;
 constexpr double footer = 80.0;
 constexpr double tallest_drawing = 1600.0;
-constexpr int large = 3;
-constexpr int small = 2;
-
-constexpr Colour ink{40, 44, 52};
-constexpr Colour grey{150, 154, 160};
 constexpr Colour outline_colour{30, 90, 160};
 constexpr Colour line_colour{205, 45, 40};
 
@@ -89,10 +83,6 @@ void draw_fit(Canvas& canvas, const Frame& frame, const FlankView& view, const S
   }
 }
 
-double text_width(const std::string& text, int scale) {
-  return static_cast<double>(scale) * (static_cast<double>(text.size() * (glyph_width + 1)) - 1.0);
-}
-
 void draw_angles(Canvas& canvas, const AngleOfRepose& result) {
   const FlankView& view = result.views.front();
   const std::string right = fmt::format("right {:.1f}~", view.right.angle_deg);
@@ -107,31 +97,19 @@ void draw_angles(Canvas& canvas, const AngleOfRepose& result) {
   canvas.text({0.5 * (picture_width - text_width(note, small)), 65.0}, note, small, grey);
 }
 
-/// The longest of 1, 2, 5 times a power of ten of metres that fits a fifth of the width.
-double scale_bar_length(double pixels_per_metre) {
-  const double most = 0.2 * picture_width / pixels_per_metre;
-  const double decade = std::pow(10.0, std::floor(std::log10(most)));
-  return decade * (most >= 5.0 * decade ? 5.0 : most >= 2.0 * decade ? 2.0 : 1.0);
-}
-
 void draw_plate(Canvas& canvas, const Frame& frame) {
   const double y = frame.at(0.0, frame.base).y;
   // A camera from above sees the near foot of the pile in front of the plate's line; it is not measured.
   const Colour white{255, 255, 255};
   canvas.line({0.0, y + footer}, {picture_width, y + footer}, 2.0 * footer, white);
   canvas.line({0.0, y + 2.0}, {picture_width, y + 2.0}, 4.0, ink);
-  const double length = scale_bar_length(frame.pixels_per_metre);
-  const double end = margin + length * frame.pixels_per_metre;
-  const double bar = y + 40.0;
-  canvas.line({margin, bar}, {end, bar}, 2.0, ink);
-  for (const double x : {margin, end}) canvas.line({x, bar - 7.0}, {x, bar + 7.0}, 2.0, ink);
-  canvas.text({end + 16.0, bar - 7.0}, fmt::format("{:g} mm", 1e3 * length), small, ink);
+  draw_scale_bar(canvas, {margin, y + 40.0}, frame.pixels_per_metre);
 }
 
 }  // namespace
 
-void write_silhouette_png(const std::string& path, const AngleOfRepose& result, std::span<const Sphere> pile,
-                          const AngleOfReposeParameters& parameters) {
+std::string silhouette_png(const AngleOfRepose& result, std::span<const Sphere> pile,
+                           const AngleOfReposeParameters& parameters) {
   const View view{.axis = parameters.axis,
                   .azimuth = result.views.front().azimuth,
                   .camera_distance = parameters.camera_distance,
@@ -146,7 +124,7 @@ void write_silhouette_png(const std::string& path, const AngleOfRepose& result, 
   draw_fit(canvas, frame, result.views.front(), outline);
   draw_plate(canvas, frame);
   draw_angles(canvas, result);
-  canvas.write_png(path);
+  return canvas.png();
 }
 
 }  // namespace repose

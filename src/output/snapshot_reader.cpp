@@ -42,6 +42,16 @@ std::vector<Vec3> vectors(std::span<const double> values) {
 
 }  // namespace
 
+bool is_snapshot(const std::string& bytes) {
+  constexpr std::string_view hdf5 = "\x89HDF\r\n\x1a\n";
+  return bytes.starts_with(hdf5) || (bytes.size() > seal_bytes && bytes.compare(seal_bytes, hdf5.size(), hdf5) == 0);
+}
+
+std::int64_t left_before_snapshot(const std::string& bytes, const std::string& file) {
+  check_seal_if_any(bytes, file);
+  return Hdf5Reader::of_bytes(bytes, file, "snapshot").read_integer("left");
+}
+
 NewParticles parse_snapshot(const std::string& bytes, const std::string& file,
                             const std::vector<MaterialDeck>& materials) {
   check_seal_if_any(bytes, file);

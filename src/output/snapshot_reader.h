@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,12 @@
 #include "scene/new_particles.h"
 
 namespace repose {
+
+/// Whether the bytes begin as those of an HDF5 file.
+bool is_snapshot(const std::string& bytes);
+
+/// The number of particles that had left the domain by then. FileError as below.
+std::int64_t left_before_snapshot(const std::string& bytes, const std::string& file);
 
 /// The particles of a snapshot (snapshot.h) from the bytes of its file, in the order of their ids, without numbers:
 /// positions, velocities, spins, radii and materials, which the deck must have by the same names. What contacts

@@ -98,10 +98,43 @@ Json build_json(const BuildInfo& build) {
   return fields;
 }
 
+Json area_json(const AreaCount& area) {
+  return {{"from_m", area.from}, {"to_m", number(area.to)}, {"count", area.count}, {"error", area.error}};
+}
+
+Json areas_json(const std::vector<AreaCount>& areas) {
+  Json list = Json::array();
+  for (const AreaCount& area : areas) list.push_back(area_json(area));
+  return list;
+}
+
+Json scattering_json(const std::optional<Scattering>& s) {
+  if (!s) return nullptr;
+  return {{"base_diameter_m", s->measured_base_radius ? Json(2.0 * *s->measured_base_radius) : Json(nullptr)},
+          {"area_1", area_json(s->area_1)},
+          {"area_2", s->area_2 ? area_json(*s->area_2) : Json(nullptr)},
+          {"area_3", area_json(s->area_3)},
+          {"area_1_widened", areas_json(s->area_1_widened)},
+          {"area_3_widened", areas_json(s->area_3_widened)},
+          {"off_plate", s->off_plate}};
+}
+
+Json pile_json(const PileSummary& pile) {
+  return {{"angle_of_repose_deg", number(pile.angle_of_repose_deg)},
+          {"angle_of_repose_left_deg", number(pile.angle_of_repose_left_deg)},
+          {"angle_of_repose_right_deg", number(pile.angle_of_repose_right_deg)},
+          {"angle_of_repose_stderr_deg", number(pile.angle_of_repose_stderr_deg)},
+          {"pile_height_m", number(pile.pile_height_m)},
+          {"scattering", scattering_json(pile.scattering)}};
+}
+
+/// Texts come from decks and file systems: bytes that are no UTF-8 must not cost the results.
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
 }  // namespace
 
 std::string summary_json(const Summary& summary) {
-  const Json json = {
+  Json json = {
       {"status", summary.status},
       {"title", summary.title},
       {"ranks", summary.ranks},
@@ -118,10 +151,9 @@ std::string summary_json(const Summary& summary) {
       {"discharge_rate_kg_s", number(summary.discharge_rate_kg_s)},
       {"plugged", summary.plugged ? Json(*summary.plugged) : Json(nullptr)},
       {"phases", phases_json(summary.phases)},
-      {"angle_of_repose_deg", number(summary.angle_of_repose_deg)},
-      {"angle_of_repose_left_deg", number(summary.angle_of_repose_left_deg)},
-      {"angle_of_repose_right_deg", number(summary.angle_of_repose_right_deg)},
-      {"angle_of_repose_stderr_deg", number(summary.angle_of_repose_stderr_deg)},
+  };
+  json.update(pile_json(summary.pile));
+  json.update(Json{
       {"tilt_onset_deg", number(summary.tilt_onset_deg)},
       {"tilt_onset_excess_deg", number(summary.tilt_onset_excess_deg)},
       {"tilt_onsets", tilt_onsets_json(summary.tilt_onsets)},
@@ -136,9 +168,20 @@ std::string summary_json(const Summary& summary) {
       {"memory", memory_json(summary)},
       {"build", build_json(summary.build)},
       {"deck", summary.deck},
-  };
-  // Texts come from decks and file systems: bytes that are no UTF-8 must not cost the results.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  });
+  return text_of(json);
+}
+
+std::string measurement_json(const MeasurementSummary& m) {
+  Json json = {{"file", m.file},
+               {"title", m.title},
+               {"particles", m.particles},
+               {"left", m.left ? Json(*m.left) : Json(nullptr)},
+               {"discharged_mass_kg", number(m.discharged_mass_kg)},
+               {"retained_mass_kg", number(m.retained_mass_kg)}};
+  json.update(pile_json(m.pile));
+  json.update(Json{{"build", build_json(m.build)}, {"deck", m.deck}});
+  return text_of(json);
 }
 
 void write_summary(const std::string& path, const Summary& summary) { write_text_file(path, summary_json(summary)); }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "measurement/scattering.h"
 #include "output/build_info.h"
 #include "scene/size_report.h"
 
@@ -51,6 +52,29 @@ struct CheckpointCost {
   double longest = 0.0;  ///< s, of the slowest
 };
 
+/// What was measured of a pile and around it.
+struct PileSummary {
+  std::optional<double> angle_of_repose_deg;
+  std::optional<double> angle_of_repose_left_deg;
+  std::optional<double> angle_of_repose_right_deg;
+  std::optional<double> angle_of_repose_stderr_deg;
+  std::optional<double> pile_height_m;
+  std::optional<Scattering> scattering;
+};
+
+/// What `repose measure` finds in a file.
+struct MeasurementSummary {
+  std::string file;
+  std::string title;  ///< of the deck
+  std::int64_t particles = 0;
+  std::optional<std::int64_t> left;          ///< grains that have left the domain; a list does not tell
+  std::optional<double> discharged_mass_kg;  ///< of the grains in the file
+  std::optional<double> retained_mass_kg;
+  PileSummary pile;
+  BuildInfo build;
+  std::string deck;  ///< resolved, TOML
+};
+
 /// Every measured figure of a run. A figure that was not measured or does not exist (the angle of no pile) is empty.
 struct Summary {
   std::string status;
@@ -73,10 +97,7 @@ struct Summary {
   std::optional<double> discharge_rate_kg_s;
   std::optional<bool> plugged;
   std::vector<PhaseSummary> phases;
-  std::optional<double> angle_of_repose_deg;
-  std::optional<double> angle_of_repose_left_deg;
-  std::optional<double> angle_of_repose_right_deg;
-  std::optional<double> angle_of_repose_stderr_deg;
+  PileSummary pile;
   std::vector<TiltOnsetSummary> tilt_onsets;
   std::optional<double> tilt_onset_deg;               ///< at a rate of tilt of zero, if that was asked for
   std::optional<double> tilt_onset_excess_deg;        ///< over the angle of friction
@@ -105,6 +126,8 @@ struct Summary {
 
 /// The summary as JSON; empty and non-finite numbers become null.
 std::string summary_json(const Summary& summary);
+
+std::string measurement_json(const MeasurementSummary& measurement);
 
 /// Writes the summary to `path`, whole or not at all. Throws FileError. For rank 0.
 void write_summary(const std::string& path, const Summary& summary);

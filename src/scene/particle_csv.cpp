@@ -1,6 +1,11 @@
 #include "scene/particle_csv.h"
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "scene/text_table.h"
 
@@ -10,6 +15,7 @@ namespace {
 
 constexpr std::string_view full_header = "x,y,z,vx,vy,vz,wx,wy,wz,radius,material";
 constexpr std::string_view short_header = "x,y,z,radius,material";
+constexpr std::string_view bare_header = "x,y,z,radius";
 
 int find_material(std::string_view name, const std::vector<MaterialDeck>& materials, const FilePlace& place) {
   std::string known;
@@ -22,50 +28,62 @@ int find_material(std::string_view name, const std::vector<MaterialDeck>& materi
 
 void parse_line(std::string_view line, const FilePlace& place, std::string_view header,
                 const std::vector<MaterialDeck>& materials, NewParticles& particles) {
-  static const std::vector<std::string_view> full_columns = split_fields(full_header);
-  static const std::vector<std::string_view> short_columns = split_fields(short_header);
-  const auto& columns = header == full_header ? full_columns : short_columns;
+  const std::vector<std::string_view> columns = split_fields(header);
   const auto fields = split_fields(line);
   if (fields.size() != columns.size()) {
     fail_at(place, fmt::format("{} fields instead of {} ({})", fields.size(), columns.size(), header));
   }
   std::vector<double> n;
-  for (std::size_t k = 0; k + 1 < columns.size(); ++k) n.push_back(parse_number(fields[k], columns[k], place));
+  for (std::size_t k = 0; k < columns.size() && columns[k] != "material"; ++k) {
+    n.push_back(parse_number(fields[k], columns[k], place));
+  }
   const double radius = n.back();
   if (!(radius > 0.0)) fail_at(place, fmt::format("radius = {} is not positive; write a length above 0, in m", radius));
-  const bool moves = columns.size() == full_columns.size();
+  const bool moves = header == full_header;
   particles.position.push_back({n[0], n[1], n[2]});
   particles.velocity.push_back(moves ? Vec3{n[3], n[4], n[5]} : Vec3{});
   particles.spin.push_back(moves ? Vec3{n[6], n[7], n[8]} : Vec3{});
   particles.radius.push_back(radius);
-  particles.material.push_back(find_material(fields.back(), materials, place));
+  if (header != bare_header) particles.material.push_back(find_material(fields.back(), materials, place));
 }
 
-std::string_view header_of(std::string_view line, const FilePlace& place) {
+std::string_view header_of(std::string_view line, const FilePlace& place, std::span<const std::string_view> headers) {
   const std::string text = compact(line);
-  if (text == full_header) return full_header;
-  if (text == short_header) return short_header;
-  fail_at(place, fmt::format("the header line must read {} or {}", full_header, short_header));
+  const auto found = std::find(headers.begin(), headers.end(), text);
+  if (found == headers.end()) fail_at(place, fmt::format("the header line must read {}", fmt::join(headers, " or ")));
+  return *found;
 }
 
-}  // namespace
-
-NewParticles parse_particle_csv(std::string_view text, const std::string& file,
-                                const std::vector<MaterialDeck>& materials) {
+NewParticles parse(std::string_view text, const std::string& file, const std::vector<MaterialDeck>& materials,
+                   std::span<const std::string_view> headers) {
   NewParticles particles;
   std::string_view header;
   const std::size_t last = for_each_line(text, file, [&](std::string_view line, const FilePlace& place) {
     if (header.empty()) {
-      header = header_of(line, place);
+      header = header_of(line, place, headers);
     } else {
       parse_line(line, place, header, materials, particles);
     }
   });
   if (particles.size() == 0) {
     fail_at({file, last},
-            fmt::format("no particles; expected a header line {} or {} and one line each", full_header, short_header));
+            fmt::format("no particles; expected a header line {} and one line each", fmt::join(headers, " or ")));
   }
   return particles;
+}
+
+}  // namespace
+
+NewParticles parse_particle_csv(std::string_view text, const std::string& file,
+                                const std::vector<MaterialDeck>& materials) {
+  constexpr std::array headers = {full_header, short_header};
+  return parse(text, file, materials, headers);
+}
+
+NewParticles parse_measured_csv(std::string_view text, const std::string& file,
+                                const std::vector<MaterialDeck>& materials) {
+  constexpr std::array headers = {bare_header, short_header, full_header};
+  return parse(text, file, materials, headers);
 }
 
 }  // namespace repose

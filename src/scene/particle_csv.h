@@ -15,4 +15,8 @@ namespace repose {
 NewParticles parse_particle_csv(std::string_view text, const std::string& file,
                                 const std::vector<MaterialDeck>& materials);
 
+/// The same for particles that are only measured: `x,y,z,radius` is enough, then `material` of the result is empty.
+NewParticles parse_measured_csv(std::string_view text, const std::string& file,
+                                const std::vector<MaterialDeck>& materials);
+
 }  // namespace repose

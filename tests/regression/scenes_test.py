@@ -21,6 +21,8 @@ SCENES = [
     ("carbohsp_multi.toml", ("particles.0.mass=0.1 g", *COLUMN)),
     ("sand_multi.toml", ("particles.0.mass=0.3 g", *COLUMN)),
     ("sand_mono.toml", ("particles.0.mass=0.3 g", *COLUMN)),
+    ("scatter_carbohsp.toml", ("particles.0.mass=0.1 g", *COLUMN)),
+    ("scatter_sand.toml", ("particles.0.mass=0.3 g", *COLUMN)),
     ("rotating_drum.toml", ("particles.0.count=600", "particles.0.diameter=2 mm", "particles.0.spacing=2.2 mm",
                             "phase.fill.time=60 ms", "phase.turn.time=60 ms")),
     ("inclined_plane.toml", ("phase.rest.max_time=30 ms", "phase.rest.min_time=1 ms", "phase.tilt.max_time=30 ms",

@@ -51,10 +51,20 @@ TEST(ParseCommandLine, TimeLimitsAreThoseOfBatchSystems) {
   EXPECT_FALSE(parse({"run", "a.toml", "--output", "o"}).time_limit);
 }
 
+TEST(ParseCommandLine, Measure) {
+  const CommandLine line = parse({"measure", "run_1.hdf", "--deck", "deck.toml", "--set", "a=1", "--output", "out"});
+  EXPECT_EQ(line.action, Action::measure);
+  EXPECT_EQ(line.file, "run_1.hdf");
+  EXPECT_EQ(line.deck, "deck.toml");
+  EXPECT_EQ(line.output, "out");
+  EXPECT_EQ(line.overrides, std::vector<std::string>{"a=1"});
+  EXPECT_EQ(parse({"measure", "a.csv", "--deck", "deck.toml"}).output, "");
+}
+
 TEST(ParseCommandLine, HelpIsText) {
   const CommandLine help = parse({"--help"});
   EXPECT_EQ(help.action, Action::none);
-  for (const char* word : {"run", "check", "keys", "--version"})
+  for (const char* word : {"run", "check", "measure", "keys", "--version"})
     EXPECT_NE(help.text.find(word), std::string::npos) << word;
   const CommandLine run = parse({"run", "--help"});
   EXPECT_EQ(run.action, Action::none);
@@ -73,6 +83,8 @@ TEST(ParseCommandLine, MistakesAreOneLine) {
       {{"run", "deck.toml"}, "--output is required; see repose --help"},
       {{"check", "a.toml", "b.toml"}, "The following argument was not expected: b.toml; see repose --help"},
       {{"check", "a.toml", "--set"}, "--set: 1 required KEY=VALUE missing; see repose --help"},
+      {{"measure", "a.csv"}, "--deck is required; see repose --help"},
+      {{"measure", "--deck", "a.toml"}, "FILE is required; see repose --help"},
       {{"run", "a.toml", "--output", "o", "--vector-level", "mmx"},
        "--vector-level: mmx not in {auto,sse2,avx2,avx512}; see repose --help"},
       {{"run", "a.toml", "--output", "o", "--time-limit", "90"},

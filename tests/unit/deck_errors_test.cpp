@@ -283,6 +283,27 @@ TEST(DeckErrors, Shapes) {
   });
 }
 
+TEST(DeckErrors, Scattering) {
+  const auto message = [](const std::string& keys) {
+    return message_of(std::string(example_deck) +
+                      "[measurement.scattering]\nplate_height = -0.05\narea_1_width = 0.01\n" + keys);
+  };
+  EXPECT_EQ(message("area_3_radius = 0.08\n"), "no error");
+  EXPECT_EQ(message(""),
+            "deck.toml:81:1: [measurement.scattering] lacks \"area_3_radius\" (radius of the outermost circle; area 3 "
+            "is from "
+            "there to the plate's edge)");
+  EXPECT_EQ(message("area_3_radius = 0.15\n"),
+            "deck.toml:84:17: 0.15 leaves nothing for area 3: the plate's farthest corner is 0.1414 from the axis");
+  EXPECT_EQ(message("area_3_radius = 0.1\naxis = [0.1, 0.1, 0]\narea_3_widened = [0.28, 0.29]\n"),
+            "deck.toml:86:25: 0.29 leaves nothing for area 3: the plate's farthest corner is 0.2828 from the axis");
+  EXPECT_EQ(message("area_3_radius = 0.08\nplate_max = [0.1, -0.1, 0]\n"),
+            "deck.toml:85:13: \"plate_max\" must be greater than \"plate_min\" in x and y");
+  EXPECT_EQ(message("area_3_radius = 0.08\nmax_height = -0.05\n"),
+            "deck.toml:85:14: \"max_height\" = -0.05 must be above \"plate_height\" = -0.05");
+  EXPECT_EQ(message("area_3_radius = 0.08\nbase_share = 1\n").substr(0, 16), "deck.toml:85:14:");
+}
+
 TEST(DeckErrors, Phases) {
   expect_messages({
       {"min_time = 0.1", "min_time = 3", "66:12: \"min_time\" = 3 is beyond \"max_time\" = 2"},

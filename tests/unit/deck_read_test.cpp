@@ -48,6 +48,16 @@ TEST(ReadDeck, KeepsDefaultsAndResolvesDerivedOnes) {
   EXPECT_EQ(deck.angle_of_repose.max_height, 0.0);
 }
 
+TEST(ReadDeck, ThePlateIsTheDomainUnlessGiven) {
+  const Deck deck = read_deck(std::string(example_deck) + "[measurement.scattering]\nplate_height = -0.05\n" +
+                                  "area_1_width = 0.01\narea_3_radius = 0.08\nplate_max = [0.05, 0.06, 0]\n",
+                              "deck.toml", {});
+  EXPECT_TRUE(deck.scattering.enabled);
+  EXPECT_EQ(deck.scattering.plate_min, (Vec3{-0.1, -0.1, -0.1}));
+  EXPECT_EQ(deck.scattering.plate_max, (Vec3{0.05, 0.06, 0.0}));
+  EXPECT_EQ(deck.scattering.max_height, 0.0);  // orifice_height
+}
+
 TEST(ReadDeck, MeasurementsAreOffWithoutTheirSection) {
   const std::string text = example_deck.substr(0, example_deck.find("[measurement.discharge]"));
   Deck deck = read_deck(text, "deck.toml", {});

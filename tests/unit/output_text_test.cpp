@@ -130,7 +130,7 @@ Summary sample_summary() {
   summary.phases = {{"fill", 50000, "time"}, {"discharge", 220000, "max_time"}};
   summary.retained_mass_kg = 1.0 / 3.0;
   summary.plugged = false;
-  summary.angle_of_repose_deg = std::nan("");
+  summary.pile.angle_of_repose_deg = std::nan("");
   summary.particle_steps_per_second = std::numeric_limits<double>::infinity();
   summary.state_hash = "not UTF-8: \xff";
   return summary;
@@ -159,6 +159,8 @@ TEST_F(TextOutputTest, SummaryHasEveryKeyAndNoNan) {
                           "angle_of_repose_left_deg",
                           "angle_of_repose_right_deg",
                           "angle_of_repose_stderr_deg",
+                          "pile_height_m",
+                          "scattering",
                           "wall_seconds",
                           "particle_steps_per_second",
                           "build"}) {
@@ -175,6 +177,29 @@ TEST_F(TextOutputTest, SummaryHasEveryKeyAndNoNan) {
   for (const char* key : {"discharged_mass_kg", "angle_of_repose_deg", "particle_steps_per_second"}) {
     EXPECT_TRUE(json[key].is_null()) << key;
   }
+}
+
+TEST_F(TextOutputTest, ScatteringOfASummary) {
+  Summary summary = sample_summary();
+  EXPECT_TRUE(nlohmann::json::parse(summary_json(summary))["scattering"].is_null());
+  Scattering s;
+  s.measured_base_radius = 0.01;
+  s.area_1 = {.from = 0.01, .to = 0.015, .count = 25, .error = 5.0};
+  s.area_3 = {.from = 0.04, .to = {}, .count = 4, .error = 2.0};
+  s.area_3_widened = {s.area_3, s.area_1};
+  s.off_plate = 7;
+  summary.pile.scattering = s;
+  const auto json = nlohmann::json::parse(summary_json(summary))["scattering"];
+  EXPECT_EQ(json["base_diameter_m"], 0.02);
+  EXPECT_EQ(json["area_1"]["from_m"], 0.01);
+  EXPECT_EQ(json["area_1"]["to_m"], 0.015);
+  EXPECT_EQ(json["area_1"]["count"], 25);
+  EXPECT_EQ(json["area_1"]["error"], 5.0);
+  EXPECT_TRUE(json["area_2"].is_null());
+  EXPECT_TRUE(json["area_3"]["to_m"].is_null());
+  EXPECT_TRUE(json["area_1_widened"].empty());
+  EXPECT_EQ(json["area_3_widened"][1]["count"], 25);
+  EXPECT_EQ(json["off_plate"], 7);
 }
 
 TEST(ProgressTest, Line) {

@@ -14,6 +14,21 @@ NewParticles parse(const std::string& text) {
   return parse_particle_csv(text, "grains.csv", materials);
 }
 
+TEST(MeasuredCsv, NeedsNoMaterial) {
+  std::vector<MaterialDeck> materials(1);
+  materials[0].name = "glass";
+  const auto read = [&](const std::string& text) { return parse_measured_csv(text, "grains.csv", materials); };
+  const NewParticles bare = read("x,y,z,radius\n1,2,3,0.5\n");
+  EXPECT_EQ(bare.position[0], (Vec3{1, 2, 3}));
+  EXPECT_EQ(bare.radius[0], 0.5);
+  EXPECT_TRUE(bare.material.empty());
+  EXPECT_EQ(read("x,y,z,radius,material\n1,2,3,0.5,glass\n").material, std::vector<int>{0});
+  EXPECT_EQ(read(header + "1,2,3,4,5,6,7,8,9,0.5,glass\n").radius[0], 0.5);
+  EXPECT_THROW(read("x,y,z\n1,2,3\n"), DeckError);
+  EXPECT_THROW(read("x,y,z,radius\n1,2,3,0.5,glass\n"), DeckError);
+  EXPECT_THROW(parse("x,y,z,radius\n1,2,3,0.5\n"), DeckError);  // a run must know what its particles are made of
+}
+
 std::string error_of(const std::string& text) {
   try {
     parse(text);

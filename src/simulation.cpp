@@ -78,7 +78,7 @@ void Simulation::advance(std::int64_t steps) {
     clock_.enter(Stage::integration);
     const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
     const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), particles_);
-    const bool may_be_unfit = notes.skin_used_up || notes.longest_step >= safe_step_;
+    const bool may_be_unfit = notes.nowhere || notes.longest_step >= safe_step_;
     if (may_be_unfit && !alarm_) alarm_ = find_unfit(guard_view(steps_ + 1));
     scene_.step(dt, particles_);
     if (notes.outside > parked_ && !alarm_) count_leavers();

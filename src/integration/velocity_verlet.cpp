@@ -47,6 +47,7 @@ template <int kicks, bool periodic>
   const double* torque_to_acceleration = particles.torque_to_acceleration.data();
   StepNotes notes;
   Quad longest = {};
+  QuadInt nowhere = {};
   for (std::size_t i = 0; i < marks.size(); ++i, record += 3, sum += 2) {
     kick<kicks>(gravity, 0.5 * dt, force_to_acceleration[i], torque_to_acceleration[i], sum, record);
     sum[0] = QuadInt{};
@@ -59,10 +60,12 @@ template <int kicks, bool periodic>
     notes.outside += (beyond[0] | beyond[1] | beyond[2]) != 0 ? 1 : 0;
     const Quad way = position - mark[i];
     const Quad squares = way * way;
-    notes.skin_used_up |= !(squares[0] + squares[1] + squares[2] < mark[i][3]);  // a NaN is not where it was, either
+    notes.skin_used_up |= squares[0] + squares[1] + squares[2] >= mark[i][3];
     const Quad lengths = magnitude(step);
     longest = longest > lengths ? longest : lengths;
+    nowhere |= position != position;
   }
+  notes.nowhere = (nowhere[0] | nowhere[1] | nowhere[2]) != 0;
   notes.longest_step = std::max({longest[0], longest[1], longest[2]});
   std::fill(particles.sum.begin() + static_cast<std::ptrdiff_t>(marks.size()), particles.sum.end(), ForceSum{});
   return notes;

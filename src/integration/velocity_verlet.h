@@ -19,7 +19,8 @@ inline constexpr double longest_way = 0.5;
 /// What the first half of a step has noticed on its way over the particles.
 struct StepNotes {
   std::size_t outside = 0;    ///< particles that are not within the domain, parked ones too
-  bool skin_used_up = false;  ///< some particle has moved by its skin since it was marked, or is nowhere (NaN)
+  bool skin_used_up = false;  ///< some particle has moved by its skin since it was marked
+  bool nowhere = false;       ///< some position is NaN
   double longest_step = 0.0;  ///< m, the longest that any particle has moved in this step along x, y or z
 };
 

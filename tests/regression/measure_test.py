@@ -151,7 +151,7 @@ class Measure(unittest.TestCase):
     def test_what_is_refused(self):
         cone = write_csv(self.path("cone.csv"), rings_of_a_cone(5e-3, 30.0))
         with_deck = ("--deck", self.deck)
-        self.fails(4, "absent.csv: cannot be read", self.path("absent.csv"), *with_deck)
+        self.fails(4, "absent.csv: cannot open: No such file", self.path("absent.csv"), *with_deck)
         self.fails(4, "is a directory", self.folder.name, *with_deck)
         self.fails(2, "bad.csv:1: the header line must read x,y,z,radius or ",
                    write_csv(self.path("bad.csv"), [], "x;y;z"), *with_deck)

@@ -117,8 +117,8 @@ TEST(VelocityVerlet, NotesTheLongestStepAndWhatIsNowhere) {
     EXPECT_EQ(notes({0.5, 0.25, -0.25}).longest_step, 0.25) << to_string(level);
     EXPECT_EQ(notes({0.5, -0.75, -0.25}).longest_step, 0.375) << to_string(level);
     EXPECT_EQ(notes({0.5, -0.75, -1.0}).longest_step, 0.5) << to_string(level);
-    EXPECT_FALSE(notes({0.5, -0.75, -1.0}).skin_used_up) << to_string(level);
-    EXPECT_TRUE(notes({0.0, std::nan(""), 0.0}).skin_used_up) << to_string(level);
+    EXPECT_FALSE(notes({0.5, -0.75, -1.0}).nowhere) << to_string(level);
+    EXPECT_TRUE(notes({0.0, std::nan(""), 0.0}).nowhere) << to_string(level);
   }
 }
 

@@ -18,7 +18,8 @@ def fail_writing(program, library, file, rank, after, error, ranks):
         output = os.path.join(folder, "out")
         faults = {"LD_PRELOAD": library, "FAULT_FILE": file, "FAULT_RANK": str(rank), "FAULT_AFTER": str(after),
                   "FAULT_ERRNO": str(error)}
-        with Job(command(program, program.deck("discharge_quick.toml"), output, *TINY, ranks=ranks), env=faults) as job:
+        with Job(command(program, program.deck("discharge_quick.toml"), output, *TINY,
+                         "output.checkpoint_steps=100", ranks=ranks), env=faults) as job:
             said = check_file_error(job.end(), output, file.removesuffix(".partial") if file[0] != "." else "run_")
         assert said.endswith(REASON[error]), said
         print(f"rank {rank} of {ranks}, after {after} writes: {said}", flush=True)
@@ -33,6 +34,9 @@ def main():
     for after in (0, 1, 8, 13, 15):
         fail_writing(program, library, ".hdf.partial", 0, after, EIO, 2)
     fail_writing(program, library, ".hdf.partial", 1, 0, EIO, 2)
+    # In a checkpoint each rank writes its rows itself.
+    for rank, after in ((0, 3), (1, 0), (1, 5)):
+        fail_writing(program, library, "checkpoint_0000000100.hdf.partial", rank, after, EIO, 2)
     for file in ("run.hdf.series.partial", "summary.json.partial", "deck.resolved.toml.partial"):
         fail_writing(program, library, file, 0, 0, EIO, 0)
 

@@ -16,12 +16,8 @@
 namespace repose {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr const char* prefix = "checkpoint_";
 constexpr std::size_t kept = 2;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Collective.
 std::vector<std::string> shared_list(const Communicator& comm, const std::string& directory) {
@@ -43,7 +39,7 @@ Checkpoints::Checkpoints(const OutputDeck& deck, std::string directory)
     : directory_(std::move(directory)),
       every_(deck.checkpoint_steps),
       minutes_(deck.checkpoint_minutes),
-      last_(Clock::now()) {}
+      last_(WallClock::now()) {}
 
 std::int64_t Checkpoints::steps_to_next(std::int64_t step) const {
   return every_ > 0 ? every_ - step % every_ : std::numeric_limits<std::int64_t>::max();
@@ -53,7 +49,7 @@ bool Checkpoints::is_due_by_time() const { return minutes_ > 0.0 && seconds_sinc
 
 void Checkpoints::write(const Communicator& comm, const CheckpointHeader& header, const Particles& particles,
                         const ContactMemory& memory) {
-  const Clock::time_point start = Clock::now();
+  const WallClock::time_point start = WallClock::now();
   const std::string path = fmt::format("{}/{}", directory_, file_of_step(prefix, header.step));
   write_checkpoint(comm, path, header, particles, memory);
   agree_after_root(comm, [&] {
@@ -65,7 +61,7 @@ void Checkpoints::write(const Communicator& comm, const CheckpointHeader& header
     });
     for (std::size_t k = kept; k < all.size(); ++k) std::filesystem::remove(all[k]);
   });
-  last_ = Clock::now();
+  last_ = WallClock::now();
   const double seconds = seconds_since(start);
   cost_ = {cost_.written + 1, cost_.seconds + seconds, std::max(cost_.longest, seconds)};
 }

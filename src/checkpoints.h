@@ -1,10 +1,10 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/wall_clock.h"
 #include "comm/communicator.h"
 #include "deck/deck.h"
 #include "output/checkpoint_reader.h"
@@ -32,7 +32,7 @@ class Checkpoints {
   std::string directory_;
   std::int64_t every_;  ///< steps, or 0
   double minutes_;      ///< or 0
-  std::chrono::steady_clock::time_point last_;
+  WallClock::time_point last_;
   CheckpointCost cost_;
 };
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <numeric>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/wall_clock.h"
 #include "cost.h"
 #include "incline.h"
 #include "measurement/discharged_mass.h"
@@ -25,10 +25,6 @@
 
 namespace repose {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// The last column is followed by one for each named exit.
 const std::vector<std::string> series_columns = {"step",
@@ -65,7 +61,7 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options, E
       series_every_(every(simulation.deck().output.series_interval, simulation.time_step().step)),
       snapshot_every_(every(simulation.deck().output.snapshot_interval, simulation.time_step().step)),
       snapshots_(options.directory + "/run.hdf.series"),
-      start_(Clock::now()),
+      start_(WallClock::now()),
       last_progress_(start_) {
   const Deck& deck = simulation.deck();
   const double dt = simulation.time_step().step;
@@ -86,46 +82,6 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options, E
   if (deck.tilt_onset.enabled) tilt_onset_.emplace(deck.tilt_onset);
   inside_ = inside(simulation);
   if (deck.output.trace && existing == Existing::replace) write_trace(simulation);
-}
-
-void Recorder::resume(const Simulation& simulation) {
-  ++earlier_.restarts;
-  inside_ = inside(simulation);
-  counted_steps_ = simulation.steps();
-  last_progress_step_ = simulation.steps();
-  agree_after_root(simulation.comm(), [&] { remove_snapshots_after(simulation.steps()); });
-}
-
-void Recorder::sync_files(const Communicator& comm) {
-  agree_after_root(comm, [&] {
-    series_->sync();
-    if (trace_) trace_->sync();
-    if (wall_loads_) wall_loads_->sync();
-    if (surface_angle_) surface_angle_->sync();
-  });
-}
-
-Effort Recorder::effort() const {
-  return {earlier_.wall_seconds + seconds_since(start_), earlier_.particle_steps + particle_steps_, earlier_.restarts};
-}
-
-/// What an earlier run has left in the same directory would pass for this one's.
-void Recorder::remove_earlier_results() const {
-  for (const char* name : {"summary.json", silhouette_file, top_view_file, "run.hdf.series", "trace.csv", "walls.csv",
-                           "surface_angle.csv"}) {
-    std::filesystem::remove(path(name));
-  }
-  remove_snapshots_after(-1);
-}
-
-void Recorder::remove_snapshots_after(std::int64_t step) const {
-  for (const auto& entry : std::filesystem::directory_iterator(options_.directory)) {
-    const std::string name = entry.path().filename().string();
-    for (const char* prefix : {"run_", "neighbourhood_"}) {
-      const auto of = step_of_file(name, prefix);
-      if (of && *of > step && !entry.is_directory()) std::filesystem::remove(entry.path());
-    }
-  }
 }
 
 std::int64_t Recorder::inside(const Simulation& simulation) const {
@@ -280,7 +236,7 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
     fmt::print("{}\n", progress_line(state));
     std::fflush(stdout);
   }
-  last_progress_ = Clock::now();
+  last_progress_ = WallClock::now();
   last_progress_step_ = simulation.steps();
 }
 

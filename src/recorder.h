@@ -1,12 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
 
+#include "base/wall_clock.h"
 #include "measurement/discharge.h"
 #include "measurement/tilt_onset.h"
 #include "output/build_info.h"
@@ -125,9 +125,9 @@ class Recorder {
   std::unique_ptr<Trace> trace_;        ///< rank 0
   SnapshotSeries snapshots_;
   std::vector<PhaseSummary> phases_;
-  std::chrono::steady_clock::time_point start_;
+  WallClock::time_point start_;
   std::clock_t cpu_start_ = std::clock();
-  std::chrono::steady_clock::time_point last_progress_;
+  WallClock::time_point last_progress_;
   std::int64_t last_progress_step_ = 0;
   Effort earlier_;                  ///< of the processes before this one
   double particle_steps_ = 0.0;     ///< of this one

@@ -176,10 +176,6 @@ Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
   return comm_.max(short_here) != 0 ? ListState::outer_stale : ListState::inner_stale;
 }
 
-ContactMemory Simulation::contact_memory() const {
-  return {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)};
-}
-
 void Simulation::rebuild_lists() { rebuild_lists(contact_memory()); }
 
 void Simulation::rebuild_lists(ContactMemory memory) {

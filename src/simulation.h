@@ -66,7 +66,7 @@ class Simulation {
   void begin_phase(const std::string& name) { scene_.begin_phase(name); }
 
   /// What the contacts of the owned particles remember.
-  ContactMemory contact_memory() const;
+  ContactMemory contact_memory() const { return {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)}; }
   /// What is the same on all ranks; particles, contacts and what has left are not in it.
   template <class Self, class Visitor>
   static void describe_state(Self& self, Visitor& v) {

@@ -53,8 +53,7 @@ StopRequest::~StopRequest() { set_handlers(SIG_DFL); }
 
 std::optional<std::string> StopRequest::reason(double needed) const {
   if (first_signal != 0) return name_of(first_signal);
-  const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  if (time_limit_ && elapsed + needed > *time_limit_) return "the time limit";
+  if (time_limit_ && seconds_since(start_) + needed > *time_limit_) return "the time limit";
   return {};
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
+
+#include "base/wall_clock.h"
 
 namespace repose {
 
@@ -28,7 +29,7 @@ class StopRequest {
   std::optional<std::string> reason(double needed) const;
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  WallClock::time_point start_ = WallClock::now();
   std::optional<double> time_limit_;
 };
 

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include "../unit/output_samples.h"
 #include "base/error.h"
 #include "checkpoints.h"
 #include "deck/read_deck.h"
@@ -122,18 +122,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 class Restart : public testing::Test {
  protected:
-  Restart() : world_(MPI_COMM_WORLD) {
-    if (world_.is_root()) folder_ = std::filesystem::temp_directory_path() / ("restart_" + std::to_string(getpid()));
-    std::string shared = folder_.string();
-    world_.broadcast(shared);
-    folder_ = shared;
-  }
-  ~Restart() override {
-    world_.barrier();
-    if (world_.is_root()) std::filesystem::remove_all(folder_);
-  }
-
-  std::string folder(const std::string& name) const { return (folder_ / name).string(); }
+  std::string folder(const std::string& name) const { return folder_ / name; }
 
   /// The summary, or none when it was stopped after so many looks at whether it should be (0: never).
   std::optional<Summary> run(const Communicator& comm, const std::string& name, int looks, bool restart,
@@ -163,8 +152,8 @@ class Restart : public testing::Test {
     }
   }
 
-  Communicator world_;
-  std::filesystem::path folder_;
+  Communicator world_{MPI_COMM_WORLD};
+  ScratchFolder folder_{world_, "repose_restart"};
 };
 
 TEST_F(Restart, EndsAsARunThatWasNeverStopped) {

@@ -50,21 +50,36 @@ CLI::App* add_measure(CLI::App& app, CommandLine& line) {
   return measure;
 }
 
+/// What `run` and `validate` have in common.
+void add_run_options(CLI::App& command, CommandLine& line) {
+  command.add_option("--output", line.output, "directory of the results")->required()->type_name("DIR");
+  command
+      .add_option("--vector-level", line.vector_level, "vector instructions; they change the speed, never the result")
+      ->check(CLI::IsMember({"auto", "sse2", "avx2", "avx512"}))
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--time-limit", [&](const std::string& limit) { line.time_limit = seconds_of(limit); },
+          "stop in time with a checkpoint and exit code 75")
+      ->type_name("HH:MM:SS");
+  command.add_flag("--quiet", line.quiet, "no progress lines");
+}
+
 CLI::App* add_run(CLI::App& app, CommandLine& line) {
   CLI::App* run = app.add_subcommand("run", "simulate the test that a deck describes");
   add_deck_options(*run, line);
-  run->add_option("--output", line.output, "directory of the results")->required()->type_name("DIR");
-  run->add_option("--vector-level", line.vector_level, "vector instructions; they change the speed, never the result")
-      ->check(CLI::IsMember({"auto", "sse2", "avx2", "avx512"}))
-      ->capture_default_str();
+  add_run_options(*run, line);
   run->add_flag("--restart", line.restart,
                 "go on from the newest checkpoint in DIR, on any number of ranks; without one begin");
-  run->add_option_function<std::string>(
-         "--time-limit", [&](const std::string& limit) { line.time_limit = seconds_of(limit); },
-         "stop in time with a checkpoint and exit code 75")
-      ->type_name("HH:MM:SS");
-  run->add_flag("--quiet", line.quiet, "no progress lines");
   return run;
+}
+
+CLI::App* add_validate(CLI::App& app, CommandLine& line) {
+  CLI::App* validate = app.add_subcommand("validate", "run cases and compare their figures with those of a laboratory");
+  validate->add_option("FILE", line.deck, "cases and values to compare with (TOML)")->required();
+  add_overrides(*validate, line);
+  add_run_options(*validate, line);
+  return validate;
 }
 
 std::string joined_lines(std::string text) {
@@ -84,6 +99,7 @@ CommandLine parse_command_line(int argc, char** argv) {
   CLI::App* check = app.add_subcommand("check", "resolve a deck and print what a run would take");
   add_deck_options(*check, line);
   const CLI::App* measure = add_measure(app, line);
+  const CLI::App* validate = add_validate(app, line);
   const CLI::App* keys = app.add_subcommand("keys", "list every key of a deck");
   bool wants_version = false;
   app.add_flag("--version", wants_version, "version, commit, compiler, flags, MPI, HDF5, vector level");
@@ -99,6 +115,7 @@ CommandLine parse_command_line(int argc, char** argv) {
   if (run->parsed()) line.action = CommandLine::Action::run;
   if (check->parsed()) line.action = CommandLine::Action::check;
   if (measure->parsed()) line.action = CommandLine::Action::measure;
+  if (validate->parsed()) line.action = CommandLine::Action::validate;
   if (keys->parsed()) line.action = CommandLine::Action::keys;
   if (wants_version) line.action = CommandLine::Action::version;
   if (line.action == CommandLine::Action::none) throw DeckError("nothing to do: name a command; see repose --help");

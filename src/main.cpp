@@ -1,24 +1,21 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "check.h"
-#include "checkpoints.h"
 #include "comm/communicator.h"
 #include "command_line.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
-#include "finished_run.h"
 #include "measure.h"
-#include "output/agreement.h"
 #include "pile_measurement.h"
-#include "run.h"
+#include "run_file.h"
 #include "shared_file.h"
 #include "stop_request.h"
+#include "validate.h"
 
 namespace {
 
@@ -26,12 +23,6 @@ using namespace repose;
 
 void say(const Communicator& comm, const std::string& text) {
   if (comm.is_root()) fmt::print("{}", text);
-}
-
-/// Files named in a deck are relative to it.
-ReadFile reader_beside(const Communicator& comm, const std::string& deck_path) {
-  const std::filesystem::path folder = std::filesystem::path(deck_path).parent_path();
-  return [&comm, folder](const std::string& file) { return read_shared_file(comm, (folder / file).string()); };
 }
 
 std::string closing_lines(const Summary& s, const std::string& directory) {
@@ -50,20 +41,21 @@ std::string closing_lines(const Summary& s, const std::string& directory) {
   return text + fmt::format("state {}\nresults in {}\n", s.state_hash, directory);
 }
 
-void run(const Communicator& comm, const CommandLine& command, StopRequest& stop) {
-  stop.set_time_limit(command.time_limit);
-  const VectorLevel level = vector_level_from(command.vector_level);
-  const Deck deck = read_deck(read_shared_file(comm, command.deck), command.deck, command.overrides);
-  const OutputOptions options = {command.output, resolved_deck(deck), build_info(to_string(level)), command.quiet,
-                                 command.restart};
-  if (command.restart && is_finished(comm, command.output, options.resolved_deck)) {
-    agree_after_root(comm, [&] { remove_checkpoints(command.output); });  // of a run that was ended just then
+RunRequest request_of(const CommandLine& command) {
+  return {.deck = command.deck,
+          .overrides = command.overrides,
+          .output = command.output,
+          .level = vector_level_from(command.vector_level),
+          .quiet = command.quiet,
+          .restart = command.restart};
+}
+
+void run(const Communicator& comm, const CommandLine& command, const StopAsked& stop_asked) {
+  if (const std::optional<Summary> summary = run_file(comm, request_of(command), stop_asked)) {
+    say(comm, closing_lines(*summary, command.output));
+  } else {
     say(comm, fmt::format("the run is complete already: results in {}\n", command.output));
-    return;
   }
-  const Summary summary = run_deck(comm, deck, reader_beside(comm, command.deck), level, options,
-                                   [&](double needed) { return stop.reason(needed); });
-  say(comm, closing_lines(summary, command.output));
 }
 
 void check(const Communicator& comm, const CommandLine& command) {
@@ -76,12 +68,20 @@ void measure(const Communicator& comm, const CommandLine& command) {
   say(comm, measure_file(comm, deck, command.file, command.output));
 }
 
+void validate(const Communicator& comm, const CommandLine& command, const StopAsked& stop_asked) {
+  say(comm, validate_file(comm, request_of(command), stop_asked));
+}
+
 void dispatch(const Communicator& comm, const CommandLine& command, StopRequest& stop) {
+  stop.set_time_limit(command.time_limit);
+  const StopAsked stop_asked = [&](double needed) { return stop.reason(needed); };
   switch (command.action) {
     case CommandLine::Action::run:
-      return run(comm, command, stop);
+      return run(comm, command, stop_asked);
     case CommandLine::Action::check:
       return check(comm, command);
+    case CommandLine::Action::validate:
+      return validate(comm, command, stop_asked);
     case CommandLine::Action::measure:
       return measure(comm, command);
     case CommandLine::Action::keys:

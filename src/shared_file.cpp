@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <filesystem>
 #include <new>
 
 #include <fcntl.h>
@@ -57,6 +58,11 @@ std::string read_shared_file(const Communicator& comm, const std::string& path) 
   agree_after_root(comm, [&] { text = read_whole_file(path); });
   comm.broadcast(text);
   return text;
+}
+
+ReadFile reader_beside(const Communicator& comm, const std::string& deck_path) {
+  const std::filesystem::path folder = std::filesystem::path(deck_path).parent_path();
+  return [&comm, folder](const std::string& file) { return read_shared_file(comm, (folder / file).string()); };
 }
 
 }  // namespace repose

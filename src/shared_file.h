@@ -3,6 +3,7 @@
 #include <string>
 
 #include "comm/communicator.h"
+#include "scene/read_file.h"
 
 namespace repose {
 
@@ -11,5 +12,8 @@ std::string read_whole_file(const std::string& path);
 
 /// Collective. The same, read by rank 0 alone; FileError on all ranks.
 std::string read_shared_file(const Communicator& comm, const std::string& path);
+
+/// Reads the files that a deck names, relative to the deck, by read_shared_file. Refers to the communicator.
+ReadFile reader_beside(const Communicator& comm, const std::string& deck_path);
 
 }  // namespace repose

@@ -262,7 +262,7 @@ struct OutputDeck {
   double snapshot_interval = 0.0;  ///< 0: only the snapshots at snapshot_times and at the end
   std::vector<double> snapshot_times;
   double series_interval = 0.01;
-  double progress_seconds = 5.0;  ///< wall seconds between progress lines
+  double progress_seconds = 5.0;      ///< wall seconds between progress lines
   double checkpoint_minutes = 10.0;   ///< wall minutes between checkpoints; 0: not by time
   std::int64_t checkpoint_steps = 0;  ///< steps between checkpoints; 0: not by steps
   bool trace = false;

@@ -4,34 +4,13 @@
 
 #include "base/error.h"
 #include "deck/check_deck.h"
-#include "deck/nesting.h"
 #include "deck/overrides.h"
+#include "deck/parse_toml.h"
 #include "deck/reader.h"
 #include "deck/schema.h"
 
 namespace repose {
 namespace {
-
-/// What to do about the syntax errors that people make most.
-std::string remedy(const std::string& description) {
-  const auto says = [&](const char* text) { return description.find(text) != std::string::npos; };
-  if (says("cannot redefine")) return "; give it once";
-  if (says("could not determine value type")) return "; a text needs quotes";
-  if (says("expected a comment or whitespace"))
-    return "; one key per line, and a value with a unit is a text, as \"5 mm\"";
-  return {};
-}
-
-toml::table parse(const std::string& text, const std::string& path) {
-  if (has_deep_key(text)) throw DeckError(fmt::format("{}: a key has more than {} parts", path, most_key_parts));
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    const std::string description(error.description());
-    throw DeckError(fmt::format("{}:{}:{}: TOML syntax: {}{}", path, error.source().begin.line,
-                                error.source().begin.column, description, remedy(description)));
-  }
-}
 
 void set_default(double& value, double fallback) {
   if (std::isnan(value)) value = fallback;
@@ -75,7 +54,7 @@ void resolve_defaults(Deck& deck) {
 }  // namespace
 
 Deck read_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
-  toml::table root = parse(text, path);
+  toml::table root = parse_toml(text, path);
   const Overridden overridden = apply_overrides(root, overrides);
   DeckErrors errors(path);
   Deck deck;

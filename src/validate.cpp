@@ -1,0 +1,169 @@
+#include "validate.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "deck/validation_deck.h"
+#include "output/agreement.h"
+#include "output/atomic_file.h"
+#include "output/directory.h"
+#include "shared_file.h"
+
+namespace repose {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How a figure is shown, from the unit at the end of its key.
+struct Display {
+  std::string name;  ///< "discharged mass, g"
+  double factor;
+};
+
+Display display_of(const std::string& figure) {
+  struct Unit {
+    const char* ending;
+    const char* shown;
+    double factor;
+  };
+  constexpr Unit units[] = {{"_kg", ", g", 1e3}, {"_deg", ", degrees", 1.0}, {"_m", ", mm", 1e3}, {"_s", ", s", 1.0}};
+  std::string name = figure;
+  std::string shown;
+  double factor = 1.0;
+  for (const Unit& unit : units) {
+    if (!name.ends_with(unit.ending)) continue;
+    name.erase(name.rfind('_'));
+    shown = unit.shown;
+    factor = unit.factor;
+    break;
+  }
+  for (char& c : name) c = c == '_' || c == '.' ? ' ' : c;
+  return {name + shown, factor};
+}
+
+/// The value of a key with dots, or nothing where the run has none. DeckError when there is no such key.
+std::optional<double> figure_in(const Json& summary, const std::string& figure) {
+  Json::json_pointer pointer;
+  for (std::size_t at = 0; at <= figure.size();) {
+    const std::size_t dot = std::min(figure.find('.', at), figure.size());
+    pointer /= figure.substr(at, dot - at);
+    at = dot + 1;
+    if (!summary.contains(pointer)) throw DeckError(fmt::format("figure \"{}\": summary.json has no such key", figure));
+    if (summary[pointer].is_null()) return {};
+  }
+  if (!summary[pointer].is_number()) throw DeckError(fmt::format("figure \"{}\": is not one number", figure));
+  return summary[pointer].get<double>();
+}
+
+/// The standard error that the summary gives for it: angle_of_repose_stderr_deg, or "error" beside "count".
+std::optional<double> error_in(const Json& summary, const std::string& figure) {
+  std::string name = figure;
+  if (name.ends_with(".count")) {
+    name.replace(name.size() - 5, 5, "error");
+  } else if (name.ends_with("_deg")) {
+    name.insert(name.size() - 4, "_stderr");
+  } else {
+    return {};
+  }
+  try {
+    return figure_in(summary, name);
+  } catch (const DeckError&) {
+    return {};
+  }
+}
+
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+std::optional<double> given(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
+
+Json comparison_json(const ComparisonDeck& c, const Json& summary) {
+  return {{"figure", c.figure},
+          {"here", json_of(figure_in(summary, c.figure))},
+          {"error", json_of(error_in(summary, c.figure))},
+          {"laboratory", c.laboratory},
+          {"deviation", json_of(given(c.deviation))},
+          {"published", json_of(given(c.published))}};
+}
+
+std::string cell(const Json& value, const Json& error, double factor) {
+  if (value.is_null()) return "none";
+  const std::string text = fmt::format("{:.4g}", factor * value.get<double>());
+  return error.is_null() ? text : fmt::format("{} +- {:.2g}", text, factor * error.get<double>());
+}
+
+std::string difference(const Json& value, const Json& laboratory) {
+  if (value.is_null()) return "-";
+  return fmt::format("{:+.1f} %", 100.0 * (value.get<double>() / laboratory.get<double>() - 1.0));
+}
+
+std::string table_of(const ValidationDeck& deck, const Json& cases) {
+  const std::string published = deck.published.empty() ? "published" : deck.published;
+  std::string text = fmt::format("| case | figure | laboratory | {} | difference | here | difference |\n", published);
+  text += "|---|---|---|---|---|---|---|\n";
+  for (const Json& one : cases) {
+    for (const Json& c : one["comparisons"]) {
+      const Display display = display_of(c["figure"].get<std::string>());
+      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", one["name"].get<std::string>(), display.name,
+                          cell(c["laboratory"], c["deviation"], display.factor),
+                          cell(c["published"], nullptr, display.factor), difference(c["published"], c["laboratory"]),
+                          cell(c["here"], c["error"], display.factor), difference(c["here"], c["laboratory"]));
+    }
+  }
+  return text;
+}
+
+/// Runs the case, unless that is done already, and compares.
+Json run_case(const Communicator& comm, const ValidationCaseDeck& one, const RunRequest& request,
+              const StopAsked& stop_asked) {
+  RunRequest run = request;
+  run.deck = (std::filesystem::path(request.deck).parent_path() / one.deck).string();
+  run.overrides = one.set;
+  run.overrides.insert(run.overrides.end(), request.overrides.begin(), request.overrides.end());
+  run.output = fmt::format("{}/{}", request.output, one.name);
+  run.restart = true;
+  if (comm.is_root() && !request.quiet) {
+    fmt::print("case {}\n", one.name);
+    std::fflush(stdout);
+  }
+  run_file(comm, run, stop_asked);
+  Json result;
+  agree_after_root(comm, [&] {
+    const Json summary = Json::parse(read_whole_file(run.output + "/summary.json"));
+    Json comparisons = Json::array();
+    for (const ComparisonDeck& c : one.comparisons) comparisons.push_back(comparison_json(c, summary));
+    result = {{"name", one.name},
+              {"state_hash", summary["state_hash"]},
+              {"steps", summary["steps"]},
+              {"particles", summary["particles"]["inserted"]},
+              {"wall_seconds", summary["wall_seconds"]},
+              {"ranks", summary["ranks"]},
+              {"comparisons", comparisons}};
+  });
+  return result;
+}
+
+}  // namespace
+
+std::string validate_file(const Communicator& comm, const RunRequest& request, const StopAsked& stop_asked) {
+  const ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
+  agree_after_root(comm, [&] { create_output_directory(request.output); });
+  Json cases = Json::array();
+  for (const ValidationCaseDeck& one : deck.cases) cases.push_back(run_case(comm, one, request, stop_asked));
+  std::string table;
+  agree_after_root(comm, [&] {
+    table = table_of(deck, cases);
+    Json build = Json::object();
+    for (const auto& [name, text] : build_fields(build_info(to_string(request.level)))) build[name] = text;
+    const Json all = {{"title", deck.title}, {"published", deck.published}, {"cases", cases}, {"build", build}};
+    write_text_file(request.output + "/validation.json",
+                    all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_text_file(request.output + "/validation.md", table);
+  });
+  return table;
+}
+
+}  // namespace repose

@@ -1,0 +1,123 @@
+"""`repose validate`: cases are run once, compared with what was measured elsewhere, and go on where they were interrupted.
+
+Usage: validate_test.py EXECUTABLE MPIEXEC SOURCE_DIR
+"""
+
+import json
+import os
+import sys
+import tempfile
+import tomllib
+import unittest
+
+from repose_runs import Program
+
+# A hundred grains through a wide orifice onto a near plate: seconds.
+REDUCED = ["particles.0.mass=0.05 g", "particles.0.height=20 mm", "output.snapshot_interval=0", "phase.settle.max_time=50 ms",
+           "phase.settle.min_time=0", "phase.discharge.max_time=150 ms", "phase.discharge.min_time=0"]
+CASE = """
+[[case]]
+name = "{name}"
+deck = "{deck}"
+set = {set}
+[[case.compare]]
+figure = "discharged_mass_kg"
+laboratory = 40e-6
+deviation = 2e-6
+published = 41e-6
+[[case.compare]]
+figure = "{figure}"
+laboratory = 30.0
+"""
+
+
+class Validate(unittest.TestCase):
+    program = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.output = os.path.join(self.folder, "out")
+
+    def write(self, *cases):
+        path = os.path.join(self.folder, "validation.toml")
+        with open(path, "w") as file:
+            file.write('published = "theirs"\n')
+            for case in cases:
+                deck = self.program.deck("discharge_quick.toml")
+                file.write(CASE.format(**{"deck": deck, "set": REDUCED, "figure": "angle_of_repose_deg", **case}))
+        return path
+
+    def validate(self, path, *options, ranks=0):
+        return self.program.call("validate", path, "--output", self.output, "--quiet", *options, ranks=ranks)
+
+    def test_cases_are_compared_and_run_once(self):
+        path = self.write({"name": "one"}, {"name": "two", "set": [*REDUCED, "run.seed=2"]})
+        done = self.validate(path, ranks=2)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in done.stdout.splitlines()]
+        self.assertEqual(rows[0], ["case", "figure", "laboratory", "theirs", "difference", "here", "difference"])
+        self.assertEqual([row[0] for row in rows[2:]], ["one", "one", "two", "two"])
+        self.assertEqual(rows[2][1:5], ["discharged mass, g", "0.04 +- 0.002", "0.041", "+2.5 %"])
+        self.assertEqual(rows[3][1:5], ["angle of repose, degrees", "30", "none", "-"])
+        with open(os.path.join(self.output, "validation.json")) as file:
+            cases = json.load(file)["cases"]
+        for case in cases:
+            with open(os.path.join(self.output, case["name"], "summary.json")) as file:
+                summary = json.load(file)
+            self.assertEqual(case["state_hash"], summary["state_hash"])
+            self.assertEqual([c["here"] for c in case["comparisons"]],
+                             [summary["discharged_mass_kg"], summary["angle_of_repose_deg"]])
+        self.assertNotEqual(cases[0]["state_hash"], cases[1]["state_hash"])
+        here = 1e3 * cases[0]["comparisons"][0]["here"]
+        self.assertEqual(rows[2][5:], [f"{here:.4g}", f"{100 * (here / 0.04 - 1):+.1f} %"])
+
+        written = os.stat(os.path.join(self.output, "one", "summary.json")).st_mtime_ns
+        again = self.validate(path)
+        self.assertEqual((again.returncode, again.stdout), (0, done.stdout))
+        self.assertEqual(os.stat(os.path.join(self.output, "one", "summary.json")).st_mtime_ns, written)
+
+    def test_an_interrupted_case_goes_on(self):
+        longer = [*REDUCED, "phase.discharge.max_time=2", "phase.discharge.min_time=2"]  # more than two seconds of wall time
+        path = self.write({"name": "one", "set": longer})
+        whole = self.validate(path)
+        self.assertEqual(whole.returncode, 0, whole.stderr)
+        self.output = os.path.join(self.folder, "parts")
+        stops = 0
+        while True:
+            done = self.validate(path, "--time-limit", "00:00:03")
+            if done.returncode == 0:
+                break
+            self.assertEqual(done.returncode, 75, done.stderr)
+            stops += 1
+        self.assertGreater(stops, 0)
+        self.assertEqual(done.stdout, whole.stdout)
+
+    def test_mistakes_are_one_line(self):
+        for case, code, message in (
+                ({"name": "one", "figure": "angle_of_repose"}, 2, "summary.json has no such key"),
+                ({"name": "one", "figure": "phases"}, 2, 'figure "phases": is not one number'),
+                ({"name": "../one"}, 2, "names a folder"),
+                ({"name": "one", "deck": "absent.toml"}, 4, "absent.toml: cannot open"),
+                ({"name": "other", "set": ["run.sed=1"]}, 2, "--set run.sed=1:")):
+            done = self.validate(self.write(case))
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertIn(message, done.stderr)
+        done = self.validate(self.write({"name": "one"}, {"name": "one"}))
+        self.assertIn('"one" is the name of another case, too', done.stderr)
+
+    def test_the_decks_of_the_thesis(self):
+        path = self.program.deck("validation.toml")
+        with open(path, "rb") as file:
+            cases = tomllib.load(file)["case"]
+        self.assertEqual(len(cases), 3)
+        for case in cases:
+            settings = [part for setting in case.get("set", []) for part in ("--set", setting)]
+            done = self.program.call("check", self.program.deck(case["deck"]), *settings)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+
+if __name__ == "__main__":
+    Validate.program = Program(*sys.argv[1:4])
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -10,6 +10,7 @@
 #include "guard_report.h"
 #include "output/agreement.h"
 #include "output/directory.h"
+#include "output/directory_lock.h"
 #include "restart.h"
 
 namespace repose {
@@ -163,7 +164,11 @@ class Run {
 
 Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level,
                  const OutputOptions& options, const StopAsked& stop_asked) {
-  agree_after_root(comm, [&] { create_output_directory(options.directory); });
+  std::optional<DirectoryLock> lock;
+  agree_after_root(comm, [&] {
+    create_output_directory(options.directory);
+    lock.emplace(options.directory);
+  });
   std::optional<FoundCheckpoint> from = checkpoint_to_begin_from(comm, options);
   try {
     return Run(comm, deck, read_file, level, options, stop_asked, std::move(from)).finish();

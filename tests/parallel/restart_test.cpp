@@ -11,6 +11,7 @@
 #include "checkpoints.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
+#include "output/directory_lock.h"
 #include "run.h"
 
 namespace repose::test {
@@ -253,6 +254,18 @@ TEST_F(Restart, RowsThatHaveGoneMissingAreNoticed) {
   world_.barrier();
   const std::string message = error_of([&] { run(world_, "parts", 0, true); });
   EXPECT_NE(message.find("series.csv: holds 100 bytes"), std::string::npos) << message;
+}
+
+TEST_F(Restart, TwoJobsDoNotWriteToOneDirectory) {
+  EXPECT_FALSE(run(world_, "parts", 20, false));
+  std::optional<DirectoryLock> other;
+  if (world_.is_root()) other.emplace(folder("parts"));
+  world_.barrier();
+  const std::string message = error_of([&] { run(world_, "parts", 0, true); });
+  EXPECT_NE(message.find("another run is at work"), std::string::npos) << message;
+  other.reset();
+  world_.barrier();
+  EXPECT_TRUE(run(world_, "parts", 0, true));
 }
 
 TEST_F(Restart, WithoutACheckpointItBegins) {

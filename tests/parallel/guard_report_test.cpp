@@ -27,17 +27,8 @@ class GuardReport : public ::testing::Test {
  protected:
   /// The message of the PhysicsError that ends the run.
   std::string run() {
-    Deck deck = bare_deck({}, 1e-6);
+    Deck deck = listed_deck(1e-6, 100);
     deck.time.expected_speed = 40.0;
-    ParticlesDeck csv;
-    csv.type = ParticlesType::csv;
-    csv.file = "grains.csv";
-    deck.particles = {csv};
-    PhaseDeck phase;
-    phase.name = "only";
-    phase.until = PhaseUntil::steps;
-    phase.steps = 100;
-    deck.phases = {phase};
     deck.run.check_every = 5;
     deck.output.snapshot_times = {9e-6, 10e-6, 11e-6};  // too deep at step 10 or 11
     const OutputOptions options = {folder_ / "out", "resolved = true\n", build_info("test"), true};

@@ -31,17 +31,8 @@ class SideBySide : public testing::Test {
 
   /// Runs in the group's own folder; the state hash, or "exit code: message" of the error.
   std::string run(const ReadFile& read_file, const std::string& folder) const {
-    Deck deck = bare_deck({}, 1e-6);
+    Deck deck = listed_deck(1e-6, 2000);
     deck.time.expected_speed = 40.0;
-    ParticlesDeck csv;
-    csv.type = ParticlesType::csv;
-    csv.file = "grains.csv";
-    deck.particles = {csv};
-    PhaseDeck phase;
-    phase.name = "only";
-    phase.until = PhaseUntil::steps;
-    phase.steps = 2000;
-    deck.phases = {phase};
     const OutputOptions options = {folder, "resolved = true\n", build_info("test"), true};
     try {
       return run_deck(*group_, deck, read_file, best_vector_level(), options).state_hash;

@@ -39,6 +39,16 @@ Deck bare_deck(const Coefficients& c, double timestep) {
   return deck;
 }
 
+Deck listed_deck(double timestep, std::int64_t steps) {
+  Deck deck = with_csv(bare_deck({}, timestep));
+  PhaseDeck phase;
+  phase.name = "only";
+  phase.until = PhaseUntil::steps;
+  phase.steps = steps;
+  deck.phases = {phase};
+  return deck;
+}
+
 WallDeck floor_at(double height) {
   WallDeck wall;
   wall.name = "floor";

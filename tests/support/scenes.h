@@ -33,6 +33,9 @@ struct Coefficients {
 };
 Deck bare_deck(const Coefficients& c, double timestep);
 
+/// The same with particles from the list "grains.csv" and one phase of so many steps: a deck that can be run.
+Deck listed_deck(double timestep, std::int64_t steps);
+
 /// The plane z = height, of material "wall".
 WallDeck floor_at(double height);
 

@@ -39,7 +39,9 @@ Found find(const std::vector<double>& cumulative, double u) {
   const auto end = std::upper_bound(cumulative.begin(), cumulative.end() - 1, u);
   const auto bin = static_cast<std::size_t>(end - cumulative.begin());
   const double below = bin == 0 ? 0.0 : cumulative[bin - 1];
-  return {bin, std::clamp((u - below) / (cumulative[bin] - below), 0.0, 1.0)};
+  const double share = cumulative[bin] - below;
+  if (share == 0.0) return {bin, 1.0};  // beside a very large one it has been lost to rounding
+  return {bin, std::clamp((u - below) / share, 0.0, 1.0)};
 }
 
 /// Edges that divide [low, high] evenly on a logarithmic scale.

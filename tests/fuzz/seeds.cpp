@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const char* const validation = "validation.toml";  // the only one in input/ that is no deck
+
 std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -36,11 +38,14 @@ class Seeds {
 
 void add_decks(const fs::path& input, const Seeds& seeds) {
   for (const auto& entry : fs::directory_iterator(input)) {
-    if (entry.path().extension() == ".toml") seeds.add(entry.path().filename(), text_of(entry.path()));
+    if (entry.path().extension() != ".toml" || entry.path().filename() == validation) continue;
+    seeds.add(entry.path().filename(), text_of(entry.path()));
   }
   seeds.add("overrides", text_of(input / "discharge_quick.toml") +
                              "\n--set particles.0.mass=0.05 g\n--set phase.settle.max_time=0.3\n--set run.title=a");
 }
+
+void add_validations(const fs::path& input, const Seeds& seeds) { seeds.add(validation, text_of(input / validation)); }
 
 void add_particle_lists(const Seeds& seeds) {
   seeds.add("full",
@@ -120,6 +125,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const fs::path folder = argv[2];
   add_decks(argv[1], Seeds(folder / "deck"));
+  add_validations(argv[1], Seeds(folder / "validation"));
   add_particle_lists(Seeds(folder / "particle_csv"));
   add_size_analyses(Seeds(folder / "size_csv"));
   add_meshes(Seeds(folder / "stl"));

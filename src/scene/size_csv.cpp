@@ -54,6 +54,11 @@ class Table {
       fail_at(place, lines_ == 0 ? fmt::format("diameter = {} is not positive", fields[0])
                                  : fmt::format("diameter = {} is not greater than the one before", fields[0]));
     }
+    constexpr double least = 1e-12;  // m; the powers of a diameter have to be numbers, too
+    constexpr double greatest = 1e3;
+    if (diameter < least || diameter > greatest) {
+      fail_at(place, fmt::format("diameter = {} is not between {} m and {} m", fields[0], least, greatest));
+    }
     if (lines_ == 0 && value != 0.0) {
       fail_at(place, fmt::format("{} = {} of the first line must be 0: its diameter is the lower end of the finest "
                                  "class; add a line for it",

@@ -22,7 +22,9 @@ void check_touches(const Wall& wall, const Vec3& centre) {
   const double reach = 1.1 * d + 1e-3;
   expect(is_within(wall, centre, reach), "what is near is within reach");
   TouchBuffer touches;
-  expect(find_touches(wall, 0, centre, reach, touches) > 0, "what is near is touched");
+  const int found = find_touches(wall, 0, centre, reach, touches);
+  const bool is_whole = !std::get<Mesh>(wall.shape).surface.defects.any();  // else a warning comes with it
+  expect(found > 0 || !is_whole, "what is near is touched");
   for (const WallTouch& t : touches.touches()) {
     expect(std::fabs(norm(t.normal) - 1.0) < 1e-12, "a normal has length 1");
   }

@@ -93,7 +93,7 @@ TEST(RoundTrip, Example) { expect_round_trip(read_deck(example_deck, "deck.toml"
 TEST(RoundTrip, EveryDeckOfTheInputFolder) {
   int decks = 0;
   for (const auto& entry : std::filesystem::directory_iterator(input)) {
-    if (entry.path().extension() != ".toml") continue;
+    if (entry.path().extension() != ".toml" || entry.path().filename() == "validation.toml") continue;  // no deck
     SCOPED_TRACE(entry.path());
     expect_round_trip(read_deck(text_of(entry.path()), entry.path().filename().string(), {}));
     ++decks;

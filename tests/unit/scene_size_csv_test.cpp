@@ -47,6 +47,8 @@ TEST(SizeCsv, NamesTheBadLine) {
   expect_error(header + "200,3\n400,100\n", "sieves.csv:2: ", "of the first line must be 0");
   expect_error(header + "200,0\n\n200,10\n", "sieves.csv:4: ", "diameter = 200 is not greater");
   expect_error(header + "0,0\n200,10\n", "sieves.csv:2: ", "diameter = 0 is not positive");
+  expect_error(header + "200,0\n1e10,10\n", "sieves.csv:3: ", "diameter = 1e10 is not between 1e-12 m and 1000 m");
+  expect_error(header + "1e-9,0\n200,10\n", "sieves.csv:2: ", "diameter = 1e-9 is not between 1e-12 m and 1000 m");
   expect_error(header + "200,0\n400,50\n700,40\n", "sieves.csv:4: ", "cumulative_mass = 40 is less than");
   expect_error("diameter_um,share_mass\n200,0\n400,-1\n", "sieves.csv:3: ", "share_mass = -1 is negative");
   expect_error(header + "200,0,1\n", "sieves.csv:2: ", "3 fields instead of 2");

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include "output/snapshot.h"
+#include "output/step_file.h"
 
 namespace repose {
 
 std::string with_neighbourhood(const Communicator& comm, const Deck& deck, const OutputOptions& options,
                                const Alarm& alarm) {
   if (alarm.neighbourhood.total == 0) return alarm.message;
-  const std::string path = fmt::format("{}/neighbourhood_{:010d}.hdf", options.directory, alarm.step);
+  const std::string path = fmt::format("{}/{}", options.directory, file_of_step("neighbourhood_", alarm.step));
   SnapshotHeader header;
   header.step = alarm.step;
   header.time_s = alarm.time;

@@ -11,6 +11,7 @@
 #include "output/agreement.h"
 #include "output/atomic_file.h"
 #include "output/collect_particles.h"
+#include "output/vector_rows.h"
 
 namespace repose {
 
@@ -22,7 +23,7 @@ std::vector<Sphere> gather_grains(const Simulation& simulation) {
   const std::vector<double> radius = comm.gather(table.radius);
   std::vector<Sphere> grains(radius.size());
   for (std::size_t i = 0; i < radius.size(); ++i) {
-    grains[i] = {{position[3 * i], position[3 * i + 1], position[3 * i + 2]}, radius[i]};
+    grains[i] = {vector_at(position, i), radius[i]};
   }
   return grains;
 }

@@ -96,13 +96,15 @@ RunPosition position_of(const FoundCheckpoint& found) {
   return position;
 }
 
-void restore(FoundCheckpoint found, Simulation& simulation, Recorder& recorder, const WatchedFiles& files) {
+RunPosition restore(FoundCheckpoint found, Simulation& simulation, Recorder& recorder, const WatchedFiles& files) {
   const Communicator& comm = simulation.comm();
+  RunPosition position;
   ExitCount left;
   agree_after(comm, [&] {
     const nlohmann::json state = state_of(found);
     check_files(found, state, files);
     StateReader reader(state, found.path + ": state");
+    reader("position", position);
     reader("simulation", simulation);
     reader("left", left);
     reader("recorder", recorder);
@@ -112,6 +114,7 @@ void restore(FoundCheckpoint found, Simulation& simulation, Recorder& recorder, 
     throw FileError(fmt::format("{}: does not give the state it was written from", found.path));
   }
   recorder.resume(simulation);
+  return position;
 }
 
 }  // namespace repose

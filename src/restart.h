@@ -51,7 +51,8 @@ void save(Checkpoints& checkpoints, const OutputOptions& options, const Simulati
 RunPosition position_of(const FoundCheckpoint& found);
 
 /// Collective. Puts a simulation and its recorder, just made from the same deck, into the state of the checkpoint.
-/// FileError on all ranks when that cannot be, or when a file that the deck names has changed.
-void restore(FoundCheckpoint found, Simulation& simulation, Recorder& recorder, const WatchedFiles& files);
+/// Returns where the run was. FileError on all ranks when that cannot be, or when a file that the deck names has
+/// changed.
+RunPosition restore(FoundCheckpoint found, Simulation& simulation, Recorder& recorder, const WatchedFiles& files);
 
 }  // namespace repose

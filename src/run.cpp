@@ -82,10 +82,9 @@ class Run {
 
  private:
   void begin_from(FoundCheckpoint found) {
-    position_ = position_of(found);
     const std::string path = found.path;
     warn_of_other_build(found);
-    restore(std::move(found), simulation_, recorder_, files_);
+    position_ = restore(std::move(found), simulation_, recorder_, files_);
     is_resumed_ = true;
     if (simulation_.comm().is_root() && !options_.quiet) {
       fmt::print("goes on from {}: step {}, {:.6g} s\n", path, simulation_.steps(), simulation_.time());

@@ -36,8 +36,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       ghosts_(comm) {
   particles_.periodic = Periodicity(deck_.domain);
   open_domain_ = particles_.periodic.open_bounds(deck_.domain);
-  left_.named_particles.resize(deck_.exits.size());
-  left_.named_mass.resize(deck_.exits.size());
+  left_ = ExitCount::none(deck_.exits.size());
   Insertion insertion = insert_particles_of(deck_, walls(), read_file);
   scene_.hold(deck_, insertion);
   const SmallestRadii radii = smallest_radii(insertion, materials_.size());

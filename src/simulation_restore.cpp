@@ -74,9 +74,7 @@ void Simulation::restore(Particles particles, ContactMemory memory, const ExitCo
   bring_back(comm_, decomposition_, sums, particles_);  // a rebuild drops them: mostly it comes right before the forces
   counters_ = counters;
   counters_.peak_ghosts = static_cast<std::int64_t>(particles_.ghosts());
-  left_ = {.named_particles = std::vector<std::int64_t>(deck_.exits.size()),
-           .named_mass = std::vector<std::int64_t>(deck_.exits.size())};
-  if (comm_.is_root()) left_ = left;
+  left_ = comm_.is_root() ? left : ExitCount::none(deck_.exits.size());
   warning_.reset();
   clock_ = {};
 }

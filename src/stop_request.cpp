@@ -44,7 +44,7 @@ const char* name_of(int signal) { return signal == SIGTERM ? "SIGTERM" : signal 
 
 }  // namespace
 
-StopRequest::StopRequest(std::optional<double> time_limit) : time_limit_(time_limit) {
+StopRequest::StopRequest() {
   first_signal = 0;
   set_handlers(note_signal);
 }

@@ -17,12 +17,12 @@ using StopAsked = std::function<std::optional<std::string>(double)>;
 /// time.
 class StopRequest {
  public:
-  /// The time limit, in s, counts from here on.
-  explicit StopRequest(std::optional<double> time_limit = {});
+  StopRequest();
   ~StopRequest();
   StopRequest(const StopRequest&) = delete;
   StopRequest& operator=(const StopRequest&) = delete;
 
+  /// In s since this object was made.
   void set_time_limit(std::optional<double> seconds) { time_limit_ = seconds; }
 
   /// "SIGTERM", or "the time limit" when less than `needed` s are left of it.

@@ -23,6 +23,11 @@ struct ExitCount {
   std::vector<std::int64_t> named_particles = {};
   std::vector<std::int64_t> named_mass = {};
 
+  /// Nothing yet, with so many named exits.
+  static ExitCount none(std::size_t named) {
+    return {.named_particles = std::vector<std::int64_t>(named), .named_mass = std::vector<std::int64_t>(named)};
+  }
+
   template <class Self, class Visitor>
   static void describe_state(Self& self, Visitor& v) {
     v("particles", self.particles);

@@ -6,15 +6,15 @@
 #include <fmt/format.h>
 
 #include "output/hdf5_file.h"
+#include "output/vector_rows.h"
 
 namespace repose {
 namespace {
 
 constexpr int no_deflate = 0;
-constexpr std::int64_t format = 1;
 
 /// Appends the components of a vector, or one number.
-void append(std::vector<double>& to, const Vec3& v) { to.insert(to.end(), {v.x, v.y, v.z}); }
+void append(std::vector<double>& to, const Vec3& v) { append_vector(to, v); }
 void append(std::vector<double>& to, const ContactHistory& h) {
   append(to, h.spring);
   append(to, h.rolling);
@@ -46,7 +46,7 @@ class Writer {
 };
 
 void write_header(Hdf5File& file, const CheckpointHeader& header) {
-  file.write_attribute("/", "repose_checkpoint", format);
+  file.write_attribute("/", "repose_checkpoint", checkpoint_format);
   file.write_attribute("/", "step", header.step);
   file.write_attribute("/", "time_s", header.time_s);
   file.write_attribute("/", "state_hash", header.state_hash);

@@ -10,6 +10,9 @@
 
 namespace repose {
 
+/// In every checkpoint; the reader takes no other.
+inline constexpr std::int64_t checkpoint_format = 1;
+
 /// What a checkpoint holds beside the particles.
 struct CheckpointHeader {
   std::int64_t step = 0;

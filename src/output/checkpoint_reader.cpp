@@ -11,16 +11,10 @@
 #include "output/agreement.h"
 #include "output/file_seal.h"
 #include "output/hdf5_reader.h"
+#include "output/vector_rows.h"
 
 namespace repose {
 namespace {
-
-constexpr std::int64_t format = 1;
-
-Vec3 vector_at(std::span<const double> values, std::size_t row, std::size_t columns = 3, std::size_t first = 0) {
-  const double* v = values.data() + row * columns + first;
-  return {v[0], v[1], v[2]};
-}
 
 ContactHistory history_at(std::span<const double> values, std::size_t row) {
   return {vector_at(values, row, 6, 0), vector_at(values, row, 6, 3)};
@@ -35,9 +29,9 @@ class Reader {
   Reader(const Hdf5Reader& file, int rank, int ranks) : file_(file), rank_(rank), ranks_(ranks) {}
 
   CheckpointHeader header() const {
-    if (file_.read_integer("repose_checkpoint") != format) {
-      throw FileError(
-          fmt::format("{}: a checkpoint of another format; this version reads format {}", file_.name(), format));
+    if (file_.read_integer("repose_checkpoint") != checkpoint_format) {
+      throw FileError(fmt::format("{}: a checkpoint of another format; this version reads format {}", file_.name(),
+                                  checkpoint_format));
     }
     CheckpointHeader h;
     h.step = file_.read_integer("step");

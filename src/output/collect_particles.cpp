@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "comm/buffer.h"
+#include "output/vector_rows.h"
 #include "scene/sphere.h"
 
 namespace repose {
@@ -18,11 +19,10 @@ struct Row {
 
 void append_row(ParticleTable& table, std::int64_t id, const ParticleRecord& record, std::int32_t material,
                 const MaterialTable& materials) {
-  const auto append = [](std::vector<double>& to, const Vec3& v) { to.insert(to.end(), {v.x, v.y, v.z}); };
   table.id.push_back(id);
-  append(table.position, record.position);
-  append(table.velocity, record.velocity);
-  append(table.angular_velocity, record.spin);
+  append_vector(table.position, record.position);
+  append_vector(table.velocity, record.velocity);
+  append_vector(table.angular_velocity, record.spin);
   table.radius.push_back(record.radius);
   table.mass.push_back(sphere_mass(record.radius, materials[static_cast<std::size_t>(material)].density));
   table.material.push_back(materials.solid(material));

@@ -45,6 +45,17 @@ void FileDescriptor::write_at(std::string_view bytes, std::int64_t place) {
   }
 }
 
+void FileDescriptor::read_at(std::span<char> bytes, std::int64_t place) const {
+  while (!bytes.empty()) {
+    const ssize_t got = ::pread(descriptor_, bytes.data(), bytes.size(), place);
+    if (got < 0 && errno == EINTR) continue;
+    if (got == 0) errno = EIO;  // it has become shorter
+    if (got <= 0) throw_system_error("read", path_);
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+    place += got;
+  }
+}
+
 void FileDescriptor::sync() {
   // Some file systems know no fsync of a folder (EINVAL); then there is nothing more that could be done.
   if (::fsync(descriptor_) != 0 && errno != EINVAL) throw_system_error("sync", path_);

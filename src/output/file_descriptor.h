@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,8 @@ class FileDescriptor {
   void write(std::string_view text);
   /// At so many bytes from the start of the file.
   void write_at(std::string_view bytes, std::int64_t place);
+  /// Fills `bytes` from there; a file that ends before is an error.
+  void read_at(std::span<char> bytes, std::int64_t place) const;
   void sync();
   /// Closes and reports, which the destructor cannot: some file systems tell only now that a write failed.
   void close();

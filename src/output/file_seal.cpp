@@ -1,7 +1,6 @@
 #include "output/file_seal.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <vector>
 
@@ -44,28 +43,17 @@ std::int64_t size_of(const FileDescriptor& file, const std::string& path) {
   return status.st_size;
 }
 
-void read_at(const FileDescriptor& file, std::int64_t begin, std::vector<char>& into, const std::string& path) {
-  for (std::size_t done = 0; done < into.size();) {
-    const ssize_t got = ::pread(file.get(), into.data() + done, into.size() - done,
-                                static_cast<off_t>(begin) + static_cast<off_t>(done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got == 0) errno = EIO;  // it has become shorter
-    if (got <= 0) throw_system_error("read", path);
-    done += static_cast<std::size_t>(got);
-  }
-}
-
 std::uint32_t crc_of(std::string_view bytes) {
   return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-std::uint32_t crc_of(const FileDescriptor& file, std::int64_t begin, std::int64_t end, const std::string& path) {
+std::uint32_t crc_of(const FileDescriptor& file, std::int64_t begin, std::int64_t end) {
   constexpr std::int64_t most_at_once = 1 << 20;
   uLong crc = 0;
   std::vector<char> bytes;
   for (std::int64_t at = begin; at < end; at += most_at_once) {
     bytes.resize(static_cast<std::size_t>(std::min(most_at_once, end - at)));
-    read_at(file, at, bytes, path);
+    file.read_at(bytes, at);
     crc = crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
   }
   return static_cast<std::uint32_t>(crc);
@@ -86,9 +74,8 @@ Content content_of(const Communicator& comm, const std::string& opened, const st
     return static_cast<std::int64_t>(seal_bytes) + sealed / comm.size() * rank + std::min(rank, sealed % comm.size());
   };
   std::uint32_t crc = 0;
-  agree_after(comm, [&] {
-    crc = crc_of(FileDescriptor(opened, O_RDONLY, path), begin(comm.rank()), begin(comm.rank() + 1), path);
-  });
+  agree_after(
+      comm, [&] { crc = crc_of(FileDescriptor(opened, O_RDONLY, path), begin(comm.rank()), begin(comm.rank() + 1)); });
   const std::vector<std::int64_t> parts = comm.all_gather(static_cast<std::int64_t>(crc));
   uLong all = 0;
   for (int r = 0; r < comm.size(); ++r) {
@@ -112,7 +99,7 @@ void check_seal(const Communicator& comm, const std::string& path) {
   const Content content = content_of(comm, path, path);
   agree_after_root(comm, [&] {
     std::vector<char> seal(std::min<std::size_t>(seal_bytes, static_cast<std::size_t>(content.bytes)));
-    read_at(FileDescriptor(path, O_RDONLY, path), 0, seal, path);
+    FileDescriptor(path, O_RDONLY, path).read_at(seal, 0);
     const std::string wrong = defect({seal.data(), seal.size()}, content.bytes, content.crc);
     if (!wrong.empty()) throw FileError(path + ": " + wrong);
   });

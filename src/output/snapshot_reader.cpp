@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "output/file_seal.h"
 #include "output/hdf5_reader.h"
+#include "output/vector_rows.h"
 
 namespace repose {
 namespace {
@@ -36,7 +37,7 @@ void check_numbers(const NewParticles& particles, const std::string& file) {
 
 std::vector<Vec3> vectors(std::span<const double> values) {
   std::vector<Vec3> result;
-  for (std::size_t i = 0; i + 2 < values.size(); i += 3) result.push_back({values[i], values[i + 1], values[i + 2]});
+  for (std::size_t i = 0; i < values.size() / 3; ++i) result.push_back(vector_at(values, i));
   return result;
 }
 

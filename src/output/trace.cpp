@@ -5,15 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "output/vector_rows.h"
+
 namespace repose {
-
-namespace {
-
-Vec3 vector_at(const std::vector<double>& components, std::size_t i) {
-  return {components[3 * i], components[3 * i + 1], components[3 * i + 2]};
-}
-
-}  // namespace
 
 std::vector<TraceRow> gather_trace_rows(const Communicator& comm, const ParticleTable& particles) {
   const auto id = comm.gather(particles.id);

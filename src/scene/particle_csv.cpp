@@ -26,12 +26,17 @@ int find_material(std::string_view name, const std::vector<MaterialDeck>& materi
   fail_at(place, fmt::format("no material is named \"{}\"; the deck has: {}", name, known));
 }
 
-void parse_line(std::string_view line, const FilePlace& place, std::string_view header,
+struct Header {
+  std::string_view text = {};                  ///< empty: not read yet
+  std::vector<std::string_view> columns = {};  ///< of the text
+};
+
+void parse_line(std::string_view line, const FilePlace& place, const Header& header,
                 const std::vector<MaterialDeck>& materials, NewParticles& particles) {
-  const std::vector<std::string_view> columns = split_fields(header);
+  const std::vector<std::string_view>& columns = header.columns;
   const auto fields = split_fields(line);
   if (fields.size() != columns.size()) {
-    fail_at(place, fmt::format("{} fields instead of {} ({})", fields.size(), columns.size(), header));
+    fail_at(place, fmt::format("{} fields instead of {} ({})", fields.size(), columns.size(), header.text));
   }
   std::vector<double> n;
   for (std::size_t k = 0; k < columns.size() && columns[k] != "material"; ++k) {
@@ -39,27 +44,27 @@ void parse_line(std::string_view line, const FilePlace& place, std::string_view 
   }
   const double radius = n.back();
   if (!(radius > 0.0)) fail_at(place, fmt::format("radius = {} is not positive; write a length above 0, in m", radius));
-  const bool moves = header == full_header;
+  const bool moves = header.text == full_header;
   particles.position.push_back({n[0], n[1], n[2]});
   particles.velocity.push_back(moves ? Vec3{n[3], n[4], n[5]} : Vec3{});
   particles.spin.push_back(moves ? Vec3{n[6], n[7], n[8]} : Vec3{});
   particles.radius.push_back(radius);
-  if (header != bare_header) particles.material.push_back(find_material(fields.back(), materials, place));
+  if (header.text != bare_header) particles.material.push_back(find_material(fields.back(), materials, place));
 }
 
-std::string_view header_of(std::string_view line, const FilePlace& place, std::span<const std::string_view> headers) {
+Header header_of(std::string_view line, const FilePlace& place, std::span<const std::string_view> headers) {
   const std::string text = compact(line);
   const auto found = std::find(headers.begin(), headers.end(), text);
   if (found == headers.end()) fail_at(place, fmt::format("the header line must read {}", fmt::join(headers, " or ")));
-  return *found;
+  return {*found, split_fields(*found)};
 }
 
 NewParticles parse(std::string_view text, const std::string& file, const std::vector<MaterialDeck>& materials,
                    std::span<const std::string_view> headers) {
   NewParticles particles;
-  std::string_view header;
+  Header header;
   const std::size_t last = for_each_line(text, file, [&](std::string_view line, const FilePlace& place) {
-    if (header.empty()) {
+    if (header.text.empty()) {
       header = header_of(line, place, headers);
     } else {
       parse_line(line, place, header, materials, particles);

@@ -45,16 +45,15 @@ def endless_deck(program, folder):
     return path
 
 
-def start(program, folder, *options):
-    arguments = command(program, endless_deck(program, folder), os.path.join(folder, "out"), *BRIEF_DISCHARGE, ranks=2,
-                        options=options)
-    return Job(arguments, env=PAUSE)
+def start(program, deck, output, *options):
+    return Job(command(program, deck, output, *BRIEF_DISCHARGE, ranks=2, options=options), env=PAUSE)
 
 
 def stop_and_restart(program, what, send, expected, *options):
     with tempfile.TemporaryDirectory() as folder:
         output, reference = os.path.join(folder, "out"), os.path.join(folder, "undisturbed")
-        with start(program, folder, *options) as job:
+        deck = endless_deck(program, folder)
+        with start(program, deck, output, *options) as job:
             if send:
                 wait_until(lambda: rows_of(output) > 3, job)
                 send(job)
@@ -64,7 +63,6 @@ def stop_and_restart(program, what, send, expected, *options):
         checkpoints = checkpoints_of(output)
         assert len(checkpoints) == 1, f"{what}: {os.listdir(output)}"
         steps = int(checkpoints[0].removeprefix("checkpoint_").removesuffix(".hdf"))
-        deck = os.path.join(folder, "deck.toml")
         to_the_end = (*BRIEF_DISCHARGE, f"phase.settle.max_time={(steps + 100) * TIME_STEP}")
         restart(program, deck, output, *to_the_end, ranks=3)
         program.run(deck, reference, *to_the_end)
@@ -73,18 +71,20 @@ def stop_and_restart(program, what, send, expected, *options):
 
 
 def end_by_second_signal(program):
-    with tempfile.TemporaryDirectory() as folder, start(program, folder) as job:
-        wait_until(lambda: rows_of(os.path.join(folder, "out")) > 3, job)
-        first, second = job.ranks()
-        os.kill(first, signal.SIGSTOP)  # no agreement with this one
-        os.kill(second, signal.SIGTERM)
-        time.sleep(2)
-        assert job.process.poll() is None, "it ended without agreement"
-        os.kill(second, signal.SIGTERM)
-        begin = time.monotonic()
-        code, _, _ = job.end(60)
-        assert code not in (0, RESUBMIT), code
-        print(f"second signal: exit {code} after {time.monotonic() - begin:.1f} s", flush=True)
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "out")
+        with start(program, endless_deck(program, folder), output) as job:
+            wait_until(lambda: rows_of(output) > 3, job)
+            first, second = job.ranks()
+            os.kill(first, signal.SIGSTOP)  # no agreement with this one
+            os.kill(second, signal.SIGTERM)
+            time.sleep(2)
+            assert job.process.poll() is None, "it ended without agreement"
+            os.kill(second, signal.SIGTERM)
+            begin = time.monotonic()
+            code, _, _ = job.end(60)
+            assert code not in (0, RESUBMIT), code
+            print(f"second signal: exit {code} after {time.monotonic() - begin:.1f} s", flush=True)
 
 
 def main():

@@ -14,8 +14,8 @@
 namespace repose {
 namespace {
 
-constexpr std::int64_t inner_horizon_steps = 32;   // steps at present speed that the inner skin covers
-constexpr std::int64_t outer_horizon_steps = 320;  // the same of the outer skin
+constexpr std::int64_t inner_horizon_steps = 32;  // steps at present speed that the inner skin covers
+constexpr std::int64_t outer_horizon_steps = ListHorizon::choices.front();  // the most that the outer skin covers
 
 void append_particle(const NewParticles& from, std::size_t i, Particles& to) {
   to.record.push_back(
@@ -181,12 +181,14 @@ void Simulation::rebuild_lists(ContactMemory memory) {
   wrap_positions(particles_);
   if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
   balance();
+  const std::size_t listed = pairs_.listed();
   pairs_.clear();  // a large bed has no room for the old lists beside the new ones
   admit(memory);
   migrate(comm_, decomposition_, particles_, memory);
   set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
   scene_.list_held(particles_);
   check_time_step();
+  choose_list_horizon(listed);
   std::vector<double> reach = ghosts_.set_up(decomposition_, watch_.outer(), particles_);
   std::vector<IndexPair> near = near_pairs(particles_.record, reach, particles_.owned);
   ignore_held(near, reach);
@@ -239,6 +241,13 @@ void Simulation::balance() {
   if (!first && counters_.imbalance <= deck_.neighbours.max_imbalance) return;
   decomposition_ = Decomposition::bisect(comm_, positions, alive_cost);
   ++counters_.bisections;
+}
+
+void Simulation::choose_list_horizon(std::size_t listed) {
+  ListHorizon::Counts counts = ListHorizon::count(particles_, watch_.outer().share, time_step_.step, listed);
+  comm_.sum_elements(std::span(counts.begin(), counts.end()));
+  list_horizon_.choose(counts);
+  watch_.set_outer_horizon(static_cast<double>(list_horizon_.steps()) * time_step_.step);
 }
 
 /// The criteria of the time step with the true greatest speed, with one warning in all.

@@ -14,6 +14,7 @@
 #include "guards.h"
 #include "integration/time_step.h"
 #include "moving_scene.h"
+#include "neighbours/list_horizon.h"
 #include "neighbours/pair_lists.h"
 #include "neighbours/skin_watch.h"
 #include "pouring.h"
@@ -120,6 +121,7 @@ class Simulation {
   void rebuild_lists();
   void rebuild_lists(ContactMemory memory);
   void balance();
+  void choose_list_horizon(std::size_t listed);
   void check_time_step();
   GuardView guard_view(std::int64_t step) const;
   void count_leavers();
@@ -151,6 +153,7 @@ class Simulation {
   std::int64_t outer_listed_at_ = 0;  ///< step
   std::int64_t inner_selected_at_ = 0;
   SkinWatch watch_{{}, {}};
+  ListHorizon list_horizon_;
   PairLists pairs_;
   WallContacts wall_contacts_;
   std::int64_t steps_ = 0;

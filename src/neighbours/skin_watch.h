@@ -25,6 +25,9 @@ class SkinWatch {
   /// as the inner skin is used up on any: a new inner list grants every particle another inner skin.
   bool outer_is_too_short(const Particles& particles) const;
 
+  /// Steps at present speed that outer skins cover from now on, in s; to be followed by a new outer list.
+  void set_outer_horizon(double horizon) { outer_.horizon = horizon; }
+
   std::size_t bytes() const { return bytes_of(inner_marks_) + bytes_of(outer_marks_); }
   const SkinRule& inner() const { return inner_; }
   const SkinRule& outer() const { return outer_; }

@@ -1,0 +1,76 @@
+"""What the studies share: runs, figures, tables, results."""
+
+import json
+import pathlib
+import platform
+import statistics
+import subprocess
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+class Bench:
+    """Runs of the program, each in a folder of its own, as many at a time as there are cores."""
+
+    def __init__(self, options):
+        self.program, self.work = options.program, options.work
+        self.cores = options.jobs
+
+    def run(self, name, deck, sets):
+        """The summary of one run; one that is complete is not run again, one that was stopped goes on."""
+        output = self.work / name
+        command = [self.program, "run", str(ROOT / "input" / deck), "--output", str(output), "--quiet", "--restart"]
+        for item in sets:
+            command += ["--set", item]
+        done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        if done.returncode != 0:
+            raise SystemExit(f"{name}: {done.stderr.strip()}")
+        print(f"{name} is complete", flush=True)
+        return json.loads((output / "summary.json").read_text())
+
+    def run_all(self, runs):
+        """{name: summary} of {name: (deck, sets)}."""
+        self.work.mkdir(parents=True, exist_ok=True)
+        with ThreadPoolExecutor(self.cores) as pool:
+            return dict(zip(runs, pool.map(lambda name: self.run(name, *runs[name]), runs)))
+
+
+def machine():
+    with open("/proc/cpuinfo") as file:
+        names = [line.split(":")[1].strip() for line in file if line.startswith("model name")]
+    return {"processor": names[0] if names else platform.processor(), "cores": len(names)}
+
+
+def figures(summary):
+    """What the studies compare, in the units of the thesis; None where a run has no such value."""
+    return {"discharged_g": 1e3 * summary["discharged_mass_kg"], "angle_deg": summary["angle_of_repose_deg"],
+            "time_s": summary["discharge_time_s"], "rate_g_s": 1e3 * summary["discharge_rate_kg_s"]}
+
+
+def mean_and_deviation(values):
+    if any(v is None for v in values):
+        return None, None
+    return statistics.mean(values), statistics.stdev(values) if len(values) > 1 else None
+
+
+def write(options, name, summaries, table):
+    """The table and, for each run, what identifies it."""
+    runs = {key: {"state_hash": s["state_hash"], "steps": s["steps"], "particles": s["particles"]["inserted"],
+                  "wall_seconds": round(s["wall_seconds"], 1), "ranks": s["ranks"], **figures(s)}
+            for key, s in summaries.items()}
+    build = next(iter(summaries.values()))["build"]
+    path = options.results / f"{name}.json"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps({"date": time.strftime("%Y-%m-%d"), "machine": machine(), "build": build,
+                                "table": table, "runs": runs}, indent=1) + "\n")
+    print(f"wrote {path}")
+
+
+def print_rows(rows):
+    columns = list(rows[0])
+    print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
+    for row in rows:
+        print("| " + " | ".join("none" if row[c] is None else f"{row[c]:.4g}" if isinstance(row[c], float) else str(row[c])
+                                for c in columns) + " |")

@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""Studies behind docs/validation.md; see README.md. What has been run already is not run again."""
+
+import argparse
+import math
+import pathlib
+
+import sand_layer
+from bench import ROOT, Bench, figures, mean_and_deviation, print_rows, write
+
+MATERIALS = ("material.0", "material.1")
+
+
+def stiffness(options):
+    """The small scattering test with Young's moduli of 5e6, 5e7 and 5e8 Pa."""
+    seeds = {5e6: options.seeds, 5e7: max(2, options.seeds - 2), 5e8: 2}
+    runs = {f"stiffness_{modulus:.0e}_{seed}": ("scatter_mini.toml",
+                                                [f"run.seed={seed}"] + [f"{m}.youngs_modulus={modulus}" for m in MATERIALS])
+            for modulus, count in seeds.items() for seed in range(1, count + 1)}
+    summaries = Bench(options).run_all(runs)
+    rows = []
+    for modulus, count in seeds.items():
+        of_seeds = [figures(summaries[f"stiffness_{modulus:.0e}_{seed}"]) for seed in range(1, count + 1)]
+        row = {"E, Pa": f"{modulus:.0e}", "seeds": count}
+        for name in of_seeds[0]:
+            row[name], row[name + " deviation"] = mean_and_deviation([f[name] for f in of_seeds])
+        rows.append(row)
+    print_rows(rows)
+    write(options, "stiffness", summaries, rows)
+
+
+def funnel(options):
+    """Mono-size CarboHSP, 8 g, calibrated: what stays in cylinders of several radii; their slope gives the funnel's."""
+    runs = {}
+    for radius in options.radii:
+        runs[f"funnel_{radius:g}"] = ("carbohsp_mono.toml", [
+            "particles.0.mass=8 g", f"particles.0.radius={radius} mm", "particles.0.height=58 mm", "particles.0.spacing=600 um",
+            "domain.max=[0.05, 0.05, 0.06]", "phase.discharge.max_time=12 s",
+            f"wall.vessel.points=[[{1e-3 * radius}, 0.06], [{1e-3 * radius}, 0.0], [0.0025, 0.0]]"])
+    summaries = Bench(options).run_all(runs)
+    rows = []
+    for radius in options.radii:
+        summary = summaries[f"funnel_{radius:g}"]
+        retained = 8.0 - figures(summary)["discharged_g"]
+        # Slope of a surface that rises from the orifice's edge to the wall: volume = 2 pi tan(a) int (r - 2.5) r dr
+        ring = 2.0 * math.pi * ((radius**3 - 2.5**3) / 3.0 - 2.5 * (radius**2 - 2.5**2) / 2.0)  # mm3
+        rows.append({"radius, mm": float(radius), "retained, g": retained, "rate, g/s": figures(summary)["rate_g_s"],
+                     "slope at 2.115 g/cm3, degrees": math.degrees(math.atan(retained / 2.115e-3 / ring))})
+    print_rows(rows)
+    write(options, "funnel", summaries, rows)
+
+
+STUDIES = {"stiffness": stiffness, "funnel": funnel, "sand_layer": sand_layer.study}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("study", choices=STUDIES)
+    parser.add_argument("--program", default=str(ROOT / "build" / "ci" / "src" / "repose"))
+    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "validation")
+    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "validation")
+    parser.add_argument("--jobs", type=int, default=2, help="runs at a time, one rank each")
+    parser.add_argument("--seeds", type=int, default=5)
+    parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.0, 12.0], help="of the funnel, mm")
+    options = parser.parse_args()
+    STUDIES[options.study](options)
+
+
+if __name__ == "__main__":
+    main()

@@ -90,13 +90,14 @@ void remove_checkpoints(const std::string& directory) {
   }
 }
 
-std::optional<FoundCheckpoint> newest_checkpoint(const Communicator& comm, const std::string& directory) {
+std::optional<FoundCheckpoint> newest_checkpoint(const Communicator& comm, const std::string& directory,
+                                                 const RunLog& log) {
   const std::vector<std::string> paths = shared_list(comm, directory);
   for (const std::string& path : paths) {
     try {
       return FoundCheckpoint{path, read_checkpoint(comm, path)};
     } catch (const FileError& error) {
-      if (comm.is_root()) fmt::print(stderr, "repose: warning: {}; skipped\n", error.what());
+      if (comm.is_root()) log.warn(fmt::format("{}; skipped", error.what()));
     }
   }
   if (paths.empty()) return {};

@@ -8,6 +8,7 @@
 #include "comm/communicator.h"
 #include "deck/deck.h"
 #include "output/checkpoint_reader.h"
+#include "output/run_log.h"
 #include "output/summary.h"
 
 namespace repose {
@@ -48,8 +49,9 @@ struct FoundCheckpoint {
   Checkpoint checkpoint;
 };
 
-/// Collective. The newest checkpoint in a directory that is whole; of each damaged one a warning on stderr. Empty when
+/// Collective. The newest checkpoint in a directory that is whole; of each damaged one a warning. Empty when
 /// there is none at all. FileError on all ranks when all are damaged.
-std::optional<FoundCheckpoint> newest_checkpoint(const Communicator& comm, const std::string& directory);
+std::optional<FoundCheckpoint> newest_checkpoint(const Communicator& comm, const std::string& directory,
+                                                 const RunLog& log);
 
 }  // namespace repose

@@ -50,7 +50,7 @@ CLI::App* add_measure(CLI::App& app, CommandLine& line) {
   return measure;
 }
 
-/// What `run` and `validate` have in common.
+/// What the commands that run decks have in common.
 void add_run_options(CLI::App& command, CommandLine& line) {
   command.add_option("--output", line.output, "directory of the results")->required()->type_name("DIR");
   command
@@ -82,6 +82,30 @@ CLI::App* add_validate(CLI::App& app, CommandLine& line) {
   return validate;
 }
 
+CLI::App* add_calibrate(CLI::App& app, CommandLine& line) {
+  CLI::App* calibrate = app.add_subcommand(
+      "calibrate", "run a deck over a grid of parameters and find those that give the laboratory's figures");
+  calibrate->add_option("FILE", line.deck, "parameters, points and laboratory values (TOML)")->required();
+  add_overrides(*calibrate, line);
+  add_run_options(*calibrate, line);
+  return calibrate;
+}
+
+CLI::App* add_estimate(CLI::App& app, CommandLine& line) {
+  CLI::App* estimate = app.add_subcommand("estimate", "estimate again from the runs of a calibration");
+  estimate->add_option("DIR", line.file, "directory of the calibration")->required();
+  estimate->add_option("--deck", line.deck, "calibration (TOML) with other laboratory values")->type_name("FILE");
+  return estimate;
+}
+
+CLI::App* add_sensitivity(CLI::App& app, CommandLine& line) {
+  CLI::App* sensitivity = app.add_subcommand("sensitivity", "what each parameter does to the figures of a deck");
+  sensitivity->add_option("FILE", line.deck, "parameters and figures (TOML)")->required();
+  add_overrides(*sensitivity, line);
+  add_run_options(*sensitivity, line);
+  return sensitivity;
+}
+
 std::string joined_lines(std::string text) {
   for (char& c : text) {
     if (c == '\n') c = ' ';
@@ -100,6 +124,9 @@ CommandLine parse_command_line(int argc, char** argv) {
   add_deck_options(*check, line);
   const CLI::App* measure = add_measure(app, line);
   const CLI::App* validate = add_validate(app, line);
+  const CLI::App* calibrate = add_calibrate(app, line);
+  const CLI::App* estimate = add_estimate(app, line);
+  const CLI::App* sensitivity = add_sensitivity(app, line);
   const CLI::App* keys = app.add_subcommand("keys", "list every key of a deck");
   bool wants_version = false;
   app.add_flag("--version", wants_version, "version, commit, compiler, flags, MPI, HDF5, vector level");
@@ -116,6 +143,9 @@ CommandLine parse_command_line(int argc, char** argv) {
   if (check->parsed()) line.action = CommandLine::Action::check;
   if (measure->parsed()) line.action = CommandLine::Action::measure;
   if (validate->parsed()) line.action = CommandLine::Action::validate;
+  if (calibrate->parsed()) line.action = CommandLine::Action::calibrate;
+  if (estimate->parsed()) line.action = CommandLine::Action::estimate;
+  if (sensitivity->parsed()) line.action = CommandLine::Action::sensitivity;
   if (keys->parsed()) line.action = CommandLine::Action::keys;
   if (wants_version) line.action = CommandLine::Action::version;
   if (line.action == CommandLine::Action::none) throw DeckError("nothing to do: name a command; see repose --help");

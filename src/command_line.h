@@ -8,12 +8,12 @@ namespace repose {
 
 /// What the program was asked to do.
 struct CommandLine {
-  enum class Action { run, check, measure, validate, keys, version, none };
+  enum class Action { run, check, measure, validate, calibrate, estimate, sensitivity, keys, version, none };
 
   Action action = Action::none;
   std::string text;                    ///< none: the help to print
-  std::string deck;                    ///< path of the deck, or of what validate reads
-  std::string file;                    ///< measure: path of the snapshot or CSV
+  std::string deck;                    ///< path of the deck, or of what validate, calibrate, ... read
+  std::string file;                    ///< measure: path of the snapshot or CSV; estimate: the directory
   std::string output;                  ///< directory of the results; measure: may be empty
   std::vector<std::string> overrides;  ///< "key=value" of each --set, in order
   std::string vector_level = "auto";   ///< auto, sse2, avx2, avx512

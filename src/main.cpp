@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "campaign/calibrate.h"
+#include "campaign/sensitivity.h"
 #include "check.h"
 #include "comm/communicator.h"
 #include "command_line.h"
@@ -46,7 +48,7 @@ RunRequest request_of(const CommandLine& command) {
           .overrides = command.overrides,
           .output = command.output,
           .level = vector_level_from(command.vector_level),
-          .quiet = command.quiet,
+          .log = {.progress = command.quiet ? nullptr : stdout},
           .restart = command.restart};
 }
 
@@ -82,6 +84,12 @@ void dispatch(const Communicator& comm, const CommandLine& command, StopRequest&
       return check(comm, command);
     case CommandLine::Action::validate:
       return validate(comm, command, stop_asked);
+    case CommandLine::Action::calibrate:
+      return say(comm, calibrate_file(comm, request_of(command), stop_asked));
+    case CommandLine::Action::estimate:
+      return say(comm, estimate_directory(comm, command.file, command.deck));
+    case CommandLine::Action::sensitivity:
+      return say(comm, sensitivity_file(comm, request_of(command), stop_asked));
     case CommandLine::Action::measure:
       return measure(comm, command);
     case CommandLine::Action::keys:

@@ -46,11 +46,11 @@ AngleOfReposeParameters parameters_of(const AngleOfReposeDeck& deck) {
 
 /// What cannot be measured, such as with a camera inside the pile, must not cost the rest of a run's results.
 template <class Measure>
-void warn_of_failure(const char* figure, Measure&& measure) {
+void warn_of_failure(const RunLog& log, const char* figure, Measure&& measure) {
   try {
     measure();
   } catch (const DeckError& error) {
-    fmt::print(stderr, "repose: warning: no {}: {}\n", figure, error.what());
+    log.warn(fmt::format("no {}: {}", figure, error.what()));
   }
 }
 
@@ -93,19 +93,19 @@ void measure_scattering(const ScatteringDeck& deck, std::span<const Sphere> grai
   if (summary.scattering && !picture.empty()) write_text_file(picture, top_view_png(deck, *summary.scattering, grains));
 }
 
-void summarise_pile(const Simulation& simulation, const std::string& directory, Summary& summary) {
+void summarise_pile(const Simulation& simulation, const std::string& directory, const RunLog& log, Summary& summary) {
   const Deck& deck = simulation.deck();
   const bool has_pile = deck.angle_of_repose.enabled && !summary.plugged.value_or(false);
   if (!has_pile && !deck.scattering.enabled) return;
   const std::vector<Sphere> grains = gather_grains(simulation);
   agree_after_root(simulation.comm(), [&] {
     if (has_pile) {
-      warn_of_failure("angle of repose", [&] {
+      warn_of_failure(log, "angle of repose", [&] {
         measure_angle_of_repose(deck.angle_of_repose, grains, directory + "/" + silhouette_file, summary.pile);
       });
     }
     if (deck.scattering.enabled) {
-      warn_of_failure("scattering", [&] {
+      warn_of_failure(log, "scattering", [&] {
         measure_scattering(deck.scattering, grains, summary.left, directory + "/" + top_view_file, summary.pile);
       });
     }

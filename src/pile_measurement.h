@@ -8,6 +8,7 @@
 #include "comm/communicator.h"
 #include "deck/deck.h"
 #include "measurement/angle_of_repose.h"
+#include "output/run_log.h"
 #include "output/summary.h"
 #include "simulation.h"
 
@@ -31,7 +32,7 @@ void measure_scattering(const ScatteringDeck& deck, std::span<const Sphere> grai
 
 /// Collective. What the deck asks for of the pile of this moment, in the summary, of which `left` and `plugged` are
 /// known, and the pictures in `directory`. A figure that cannot be measured costs a warning.
-void summarise_pile(const Simulation& simulation, const std::string& directory, Summary& summary);
+void summarise_pile(const Simulation& simulation, const std::string& directory, const RunLog& log, Summary& summary);
 
 /// The figures as lines for a person; empty when there are none.
 std::string pile_lines(const PileSummary& pile);

@@ -144,10 +144,9 @@ void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, con
   settled_steps_ += longest_steps(phase.deck(), simulation.time_step().step);
   phases_.push_back({phase.deck().name, phase.steps_done(simulation), ended_by});
   if (opened_) sample_discharge(simulation);
-  if (simulation.comm().is_root() && !options_.quiet) {
-    fmt::print("phase {} ended by {} at {:.6g} s after {} steps\n", phase.deck().name, ended_by, simulation.time(),
-               phase.steps_done(simulation));
-    std::fflush(stdout);
+  if (simulation.comm().is_root()) {
+    options_.log.say(fmt::format("phase {} ended by {} at {:.6g} s after {} steps", phase.deck().name, ended_by,
+                                 simulation.time(), phase.steps_done(simulation)));
   }
 }
 
@@ -215,8 +214,9 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
   const Communicator& comm = simulation.comm();
   const double elapsed = seconds_since(last_progress_);
   int due = elapsed >= simulation.deck().output.progress_seconds ? 1 : 0;
+  if (options_.log.progress == nullptr) due = 0;
   comm.broadcast(due);
-  if (due == 0 || options_.quiet) return;
+  if (due == 0) return;
   ProgressState state;
   state.step = simulation.steps();
   state.time_s = simulation.time();
@@ -232,10 +232,7 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
   state.particle_steps_per_second = rate * static_cast<double>(inside_);
   state.imbalance = simulation.counters().imbalance;
   state.seconds_left = static_cast<double>(total_steps_ - done) / rate;
-  if (comm.is_root()) {
-    fmt::print("{}\n", progress_line(state));
-    std::fflush(stdout);
-  }
+  if (comm.is_root()) options_.log.say(progress_line(state));
   last_progress_ = WallClock::now();
   last_progress_step_ = simulation.steps();
 }
@@ -278,7 +275,7 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
     s.discharge_rate_kg_s = d.rate;
     s.plugged = d.plugged;
   }
-  summarise_pile(simulation, options_.directory, s);
+  summarise_pile(simulation, options_.directory, options_.log, s);
   if (surface_angle_) surface_angle_->summarise(s);
   if (tilt_onset_) summarise_tilt_onset(simulation, read_file, *tilt_onset_, s);
   const Effort all = effort();

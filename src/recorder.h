@@ -10,6 +10,7 @@
 #include "measurement/discharge.h"
 #include "measurement/tilt_onset.h"
 #include "output/build_info.h"
+#include "output/run_log.h"
 #include "output/snapshot_series.h"
 #include "output/summary.h"
 #include "output/time_series.h"
@@ -26,7 +27,7 @@ struct OutputOptions {
   std::string directory;
   std::string resolved_deck;
   BuildInfo build;
-  bool quiet = false;    ///< no progress lines
+  RunLog log;
   bool restart = false;  ///< go on from the newest checkpoint in the directory, if there is one
 };
 

@@ -1,7 +1,6 @@
 #include "run.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include <fmt/format.h>
 
@@ -17,12 +16,12 @@ namespace repose {
 
 namespace {
 
-void warn_of_mesh_defects(const Simulation& simulation) {
+void warn_of_mesh_defects(const Simulation& simulation, const RunLog& log) {
   if (!simulation.comm().is_root()) return;
   for (const Wall& wall : simulation.walls()) {
     const auto* mesh = std::get_if<Mesh>(&wall.shape);
     if (mesh == nullptr || !mesh->surface.defects.any()) continue;
-    fmt::print(stderr, "repose: warning: wall \"{}\": {}\n", wall.name, describe(*mesh));
+    log.warn(fmt::format("wall \"{}\": {}", wall.name, describe(*mesh)));
   }
 }
 
@@ -33,7 +32,7 @@ enum class Task { none, checkpoint, stop };
 /// caller thinks.
 std::optional<FoundCheckpoint> checkpoint_to_begin_from(const Communicator& comm, const OutputOptions& options) {
   if (options.restart) {
-    std::optional<FoundCheckpoint> found = newest_checkpoint(comm, options.directory);
+    std::optional<FoundCheckpoint> found = newest_checkpoint(comm, options.directory, options.log);
     if (found) {
       const std::size_t phase = position_of(*found).phase;
       refuse_other_deck(options.directory, found->checkpoint.header.deck, options.resolved_deck, phase);
@@ -62,7 +61,7 @@ class Run {
         simulation_(comm, deck, files_.reader(), level),
         recorder_(simulation_, options, from ? Existing::go_on : Existing::replace),
         checkpoints_(deck.output, options.directory) {
-    warn_of_mesh_defects(simulation_);
+    warn_of_mesh_defects(simulation_, options.log);
     if (from) begin_from(std::move(*from));
   }
 
@@ -86,17 +85,17 @@ class Run {
     warn_of_other_build(found);
     position_ = restore(std::move(found), simulation_, recorder_, files_);
     is_resumed_ = true;
-    if (simulation_.comm().is_root() && !options_.quiet) {
-      fmt::print("goes on from {}: step {}, {:.6g} s\n", path, simulation_.steps(), simulation_.time());
-      std::fflush(stdout);
+    if (simulation_.comm().is_root()) {
+      options_.log.say(
+          fmt::format("goes on from {}: step {}, {:.6g} s", path, simulation_.steps(), simulation_.time()));
     }
   }
 
   void warn_of_other_build(const FoundCheckpoint& found) const {
     const BuildInfo& build = found.checkpoint.header.build;
     if (build.commit == options_.build.commit || !simulation_.comm().is_root()) return;
-    fmt::print(stderr, "repose: warning: {}: written by version {}, commit {}; the bits of the results may differ\n",
-               found.path, build.version, build.commit);
+    options_.log.warn(fmt::format("{}: written by version {}, commit {}; the bits of the results may differ",
+                                  found.path, build.version, build.commit));
   }
 
   Phase begin(const PhaseDeck& deck) {
@@ -115,7 +114,7 @@ class Run {
       simulation_.advance(std::min({phase.steps_left(simulation_), recorder_.steps_to_next(simulation_),
                                     checkpoints_.steps_to_next(simulation_.steps())}));
       if (const auto warning = simulation_.take_warning(); warning && simulation_.comm().is_root()) {
-        fmt::print(stderr, "repose: warning: {}\n", *warning);
+        options_.log.warn(*warning);
       }
       recorder_.steps_done(simulation_, phase);
       look_after_checkpoints();

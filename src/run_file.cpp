@@ -14,7 +14,7 @@ std::optional<Summary> run_file(const Communicator& comm, const RunRequest& requ
   const OutputOptions options = {.directory = request.output,
                                  .resolved_deck = resolved_deck(deck),
                                  .build = build_info(to_string(request.level)),
-                                 .quiet = request.quiet,
+                                 .log = request.log,
                                  .restart = request.restart};
   if (request.restart && is_finished(comm, request.output, options.resolved_deck)) {
     agree_after_root(comm, [&] { remove_checkpoints(request.output); });  // of a run that was ended just then

@@ -14,7 +14,7 @@ struct RunRequest {
   std::vector<std::string> overrides;  ///< "key=value", in order
   std::string output;                  ///< directory of the results
   VectorLevel level;
-  bool quiet = false;    ///< no progress lines
+  RunLog log;
   bool restart = false;  ///< go on where an earlier process has stopped
 };
 

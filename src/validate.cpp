@@ -1,7 +1,6 @@
 #include "validate.h"
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include "output/atomic_file.h"
 #include "output/directory.h"
 #include "shared_file.h"
+#include "summary_figures.h"
 
 namespace repose {
 namespace {
@@ -44,37 +44,6 @@ Display display_of(const std::string& figure) {
   }
   for (char& c : name) c = c == '_' || c == '.' ? ' ' : c;
   return {name + shown, factor};
-}
-
-/// The value of a key with dots, or nothing where the run has none. DeckError when there is no such key.
-std::optional<double> figure_in(const Json& summary, const std::string& figure) {
-  Json::json_pointer pointer;
-  for (std::size_t at = 0; at <= figure.size();) {
-    const std::size_t dot = std::min(figure.find('.', at), figure.size());
-    pointer /= figure.substr(at, dot - at);
-    at = dot + 1;
-    if (!summary.contains(pointer)) throw DeckError(fmt::format("figure \"{}\": summary.json has no such key", figure));
-    if (summary[pointer].is_null()) return {};
-  }
-  if (!summary[pointer].is_number()) throw DeckError(fmt::format("figure \"{}\": is not one number", figure));
-  return summary[pointer].get<double>();
-}
-
-/// The standard error that the summary gives for it: angle_of_repose_stderr_deg, or "error" beside "count".
-std::optional<double> error_in(const Json& summary, const std::string& figure) {
-  std::string name = figure;
-  if (name.ends_with(".count")) {
-    name.replace(name.size() - 5, 5, "error");
-  } else if (name.ends_with("_deg")) {
-    name.insert(name.size() - 4, "_stderr");
-  } else {
-    return {};
-  }
-  try {
-    return figure_in(summary, name);
-  } catch (const DeckError&) {
-    return {};
-  }
 }
 
 Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
@@ -125,10 +94,7 @@ Json run_case(const Communicator& comm, const ValidationCaseDeck& one, const Run
   run.overrides.insert(run.overrides.end(), request.overrides.begin(), request.overrides.end());
   run.output = fmt::format("{}/{}", request.output, one.name);
   run.restart = true;
-  if (comm.is_root() && !request.quiet) {
-    fmt::print("case {}\n", one.name);
-    std::fflush(stdout);
-  }
+  if (comm.is_root()) request.log.say("case " + one.name);
   run_file(comm, run, stop_asked);
   Json result;
   agree_after_root(comm, [&] {

@@ -34,6 +34,13 @@ Communicator::Communicator(MPI_Comm parent) {
   MPI_Comm_size(comm_, &size_);
 }
 
+Communicator::Communicator(const Communicator& parent, int group) {
+  check_mpi(MPI_Comm_split(parent.comm_, group, parent.rank_, &comm_), "MPI_Comm_split");
+  MPI_Comm_set_errhandler(comm_, MPI_ERRORS_RETURN);
+  MPI_Comm_rank(comm_, &rank_);
+  MPI_Comm_size(comm_, &size_);
+}
+
 Communicator::~Communicator() { MPI_Comm_free(&comm_); }
 
 std::int64_t Communicator::exclusive_sum(std::int64_t value) const {

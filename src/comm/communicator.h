@@ -45,10 +45,13 @@ inline MPI_Datatype mpi_type<double>() {
 /// Throws std::runtime_error with MPI's own text when `code` is not MPI_SUCCESS.
 void check_mpi(int code, const char* call);
 
-/// A duplicate of an MPI communicator, freed with the object. Every member but rank, size and handle is collective.
+/// A duplicate of an MPI communicator, or a part of another one, freed with the object. Every member but rank, size and
+/// handle is collective.
 class Communicator {
  public:
   explicit Communicator(MPI_Comm parent);
+  /// The ranks of `parent` that give the same group (at least 0), in their order there.
+  Communicator(const Communicator& parent, int group);
   ~Communicator();
   Communicator(const Communicator&) = delete;
   Communicator& operator=(const Communicator&) = delete;
@@ -123,6 +126,23 @@ class Communicator {
   MPI_Comm comm_ = MPI_COMM_NULL;
   int rank_ = 0;
   int size_ = 1;
+};
+
+/// Collective. A barrier that can be asked whether all ranks have come to it, instead of holding this one.
+class PatientBarrier {
+ public:
+  explicit PatientBarrier(const Communicator& comm) {
+    check_mpi(MPI_Ibarrier(comm.handle(), &request_), "MPI_Ibarrier");
+  }
+  /// To be asked until it is true.
+  bool passed() {
+    int done = 0;
+    check_mpi(MPI_Test(&request_, &done, MPI_STATUS_IGNORE), "MPI_Test");
+    return done != 0;
+  }
+
+ private:
+  MPI_Request request_ = MPI_REQUEST_NULL;
 };
 
 template <class T>

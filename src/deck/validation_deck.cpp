@@ -1,9 +1,7 @@
 #include "deck/validation_deck.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "deck/parse_toml.h"
+#include "deck/plain_name.h"
 #include "deck/reader.h"
 #include "deck/schema_types.h"
 
@@ -44,10 +42,7 @@ ValidationDeck read_validation_deck(const std::string& text, const std::string& 
   for (std::size_t i = 0; i < deck.cases.size(); ++i) {
     const std::string& name = deck.cases[i].name;
     const std::string key = fmt::format("case.{}.name", i);
-    const bool is_plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-      return std::isalnum(c) != 0 || c == '_' || c == '-';
-    });
-    if (!is_plain) errors.add(key, fmt::format("\"{}\" names a folder: letters, digits, _ and - are allowed", name));
+    check_plain_name(name, key, errors);
     for (std::size_t j = 0; j < i; ++j) {
       if (deck.cases[j].name == name) errors.add(key, fmt::format("\"{}\" is the name of another case, too", name));
     }

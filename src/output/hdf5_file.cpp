@@ -220,6 +220,18 @@ void Hdf5File::write_rows(const std::string& dataset, hid_t type, const void* va
   lead_hdf5([&] { check_hdf5(H5Dclose(array.release()), path_, "write " + dataset); });
 }
 
+void Hdf5File::write_texts(const std::string& dataset, std::span<const std::string> texts) {
+  std::size_t longest = 0;
+  for (const std::string& text : texts) longest = std::max(longest, text.size());
+  const std::size_t length = longest + 1;
+  std::string rows;
+  for (const std::string& text : texts) rows += text + std::string(length - text.size(), '\0');
+  const std::int64_t count = std::ssize(texts);
+  const std::int64_t here = comm_.is_root() ? count : 0;
+  write_rows(dataset, text_type(length, H5T_CSET_UTF8).get(), rows.data(), static_cast<std::size_t>(here),
+             {count, 0, here}, 1);
+}
+
 /// Chunk by chunk: HDF5 compresses on rank 0.
 void Hdf5File::write_compressed(const Hdf5Dataset& array, const std::string& dataset, hid_t type, RowBytes rows,
                                 RowBlock block) {

@@ -65,6 +65,9 @@ class Hdf5File {
     write_rows(dataset, hdf5_type<T>(), values.data(), values.size(), block, columns);
   }
 
+  /// Writes a column of UTF-8 texts, of which all ranks pass the same; h5py reads bytes. No text may have a zero byte.
+  void write_texts(const std::string& dataset, std::span<const std::string> texts);
+
   /// Completes the file and gives it its name; nothing may follow.
   void close();
 

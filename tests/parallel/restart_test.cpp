@@ -132,7 +132,7 @@ class Restart : public testing::Test {
     OutputOptions options;
     options.directory = folder(name);
     options.resolved_deck = resolved_deck(deck);
-    options.quiet = true;
+    options.log.progress = nullptr;
     options.restart = restart;
     int looked = 0;
     const auto stop_asked = [&](double) -> std::optional<std::string> {

@@ -1,0 +1,198 @@
+#include "campaign/campaign.h"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "campaign/campaign_watch.h"
+#include "campaign/expected_cost.h"
+#include "campaign/rank_groups.h"
+#include "deck/read_deck.h"
+#include "deck/resolved_deck.h"
+#include "output/agreement.h"
+#include "output/directory.h"
+#include "restart.h"
+#include "shared_file.h"
+#include "summary_figures.h"
+
+namespace repose {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using LogFile = std::unique_ptr<std::FILE, CloseFile>;
+
+/// The ranks of one group, drawing runs until there are none.
+class Group {
+ public:
+  Group(const Communicator& comm, const CampaignPlan& plan, SharedCounters& counters, CampaignWatch* watch,
+        const StopAsked& stop_asked)
+      : comm_(comm), plan_(plan), counters_(counters), watch_(watch), stop_asked_(stop_asked) {}
+
+  /// Collective in the group. False when it was stopped before all runs were drawn.
+  bool work(std::span<const StudyRun> runs, std::span<const std::size_t> order) {
+    while (true) {
+      if (watch_ != nullptr) watch_->look();
+      const std::int64_t drawn = draw();
+      if (drawn >= std::ssize(order)) return true;
+      if (!do_run(runs[order[static_cast<std::size_t>(drawn)]])) return false;
+      if (comm_.is_root()) counters_.add(finished_runs, 1);
+    }
+  }
+
+ private:
+  std::int64_t draw() {
+    std::int64_t drawn = comm_.is_root() ? counters_.add(next_run, 1) : 0;
+    comm_.broadcast(drawn);
+    return drawn;
+  }
+
+  /// False when it was stopped.
+  bool do_run(const StudyRun& run) {
+    const std::string folder = folder_of(plan_, run);
+    LogFile log;
+    try {
+      agree_after_root(comm_, [&] {
+        create_output_directory(folder);
+        remove_failure(folder);
+        log.reset(std::fopen((folder + "/run.log").c_str(), "a"));
+        if (!log) throw FileError(fmt::format("{}/run.log: cannot be opened", folder));
+      });
+      const RunRequest request = {plan_.base, run.overrides, folder, plan_.level, true, {log.get(), log.get()}};
+      run_file(comm_, request, [&](double needed) { return stop_now(needed); });
+    } catch (const Stopped&) {
+      if (comm_.is_root()) counters_.add(stop_wanted, 1);
+      return false;
+    } catch (const Error& error) {  // the same on all ranks of the group
+      note_failure(folder, error.code(), error.what());
+    } catch (const std::exception& error) {
+      if (comm_.size() > 1) throw;  // on this rank alone, perhaps
+      note_failure(folder, ExitCode::physics, error.what());
+    }
+    return true;
+  }
+
+  void note_failure(const std::string& folder, ExitCode code, const std::string& reason) {
+    agree_after_root(comm_, [&] { write_failure(folder, code, reason); });
+    if (comm_.is_root()) counters_.add(failed_runs, 1);
+  }
+
+  /// The job's own reason, or that another group has one.
+  std::optional<std::string> stop_now(double needed) {
+    constexpr double patience = 2.0;  // s
+    if (auto reason = stop_asked_ ? stop_asked_(needed) : std::nullopt) return reason;
+    if (watch_ != nullptr) watch_->look();
+    if (!comm_.is_root() || seconds_since(last_asked_) < patience) return {};
+    last_asked_ = WallClock::now();
+    if (counters_.read(stop_wanted) > 0) return "the end of another run of the job";
+    return {};
+  }
+
+  const Communicator& comm_;
+  const CampaignPlan& plan_;
+  SharedCounters& counters_;
+  CampaignWatch* watch_;  ///< on rank 0 of the world
+  const StopAsked& stop_asked_;
+  WallClock::time_point last_asked_ = WallClock::now();
+};
+
+/// The records as the folders have them.
+std::vector<RunRecord> records_of(const CampaignPlan& plan, std::span<const StudyRun> runs) {
+  std::vector<RunRecord> records;
+  for (const StudyRun& run : runs) records.push_back(read_run_folder(folder_of(plan, run), plan.figures));
+  return records;
+}
+
+/// Collective. The runs to do, the same on all ranks.
+std::vector<std::size_t> shared_order(const Communicator& world, const CampaignPlan& plan,
+                                      std::span<const StudyRun> runs) {
+  std::vector<std::size_t> order;
+  agree_after_root(world, [&] {
+    create_output_directory(plan.directory);
+    order = longest_first(runs, records_of(plan, runs), plan.study.parameters);
+  });
+  auto count = static_cast<std::int64_t>(order.size());
+  world.broadcast(count);
+  order.resize(static_cast<std::size_t>(count));
+  for (std::size_t& which : order) {
+    auto value = static_cast<std::int64_t>(which);
+    world.broadcast(value);
+    which = static_cast<std::size_t>(value);
+  }
+  return order;
+}
+
+/// Collective. Waits for the others without using a core; rank 0 goes on looking after the whole.
+void wait_for_all(const Communicator& world, CampaignWatch* watch) {
+  PatientBarrier barrier(world);
+  while (!barrier.passed()) {
+    if (watch != nullptr) watch->look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
+}  // namespace
+
+CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
+                     const RunRequest& request) {
+  CampaignPlan plan{study, deck_text, "", std::move(figures), request.output, request.level, request.log};
+  plan.base = (std::filesystem::path(request.deck).parent_path() / study.base).string();
+  plan.study.set.insert(plan.study.set.end(), request.overrides.begin(), request.overrides.end());
+  return plan;
+}
+
+std::string effort_text(const CampaignEffort& effort, int ranks) {
+  return fmt::format("{} runs in {:.1f} s on {} rank{}, {} at a time; the ranks were idle for {:.1f} % of it\n",
+                     effort.runs, effort.wall_seconds, ranks, ranks == 1 ? "" : "s", effort.groups,
+                     100.0 * effort.idle_share);
+}
+
+void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
+  const std::string text = read_whole_file(plan.base);
+  for (const StudyRun& run : runs) {
+    const Deck deck = read_deck(text, plan.base, run.overrides);
+    if (&run == &runs.front()) {
+      for (const std::string& figure : plan.figures) require_figure(deck, figure);
+    }
+    const std::string folder = folder_of(plan, run);
+    const std::string before = folder + "/deck.resolved.toml";
+    if (!std::filesystem::exists(before)) continue;
+    refuse_other_deck(folder, read_whole_file(before), resolved_deck(deck), std::numeric_limits<std::size_t>::max());
+  }
+}
+
+std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPlan& plan, std::span<const StudyRun> runs,
+                                    const StopAsked& stop_asked, CampaignEffort& effort) {
+  const std::vector<std::size_t> order = shared_order(world, plan, runs);
+  const int groups = group_count(world.size(), plan.study.ranks_per_run, std::ssize(order));
+  const Communicator comm(world, group_of(world.rank(), world.size(), groups));
+  SharedCounters counters(world, campaign_counters);
+  std::optional<CampaignWatch> watch;
+  if (world.is_root()) watch.emplace(plan, runs, order, counters, groups);
+  CampaignWatch* const my_watch = watch ? &*watch : nullptr;
+
+  const WallClock::time_point start = WallClock::now();
+  const bool complete = Group(comm, plan, counters, my_watch, stop_asked).work(runs, order);
+  const double busy = seconds_since(start);
+  wait_for_all(world, my_watch);
+  effort.wall_seconds = world.max(seconds_since(start));
+  effort.idle_share = order.empty() ? 0.0 : 1.0 - world.sum(busy) / (effort.wall_seconds * world.size());
+  effort.runs = world.sum(world.is_root() ? counters.read(finished_runs) : 0);
+  effort.groups = groups;
+  if (world.min(complete ? 1 : 0) == 1) {
+    std::vector<RunRecord> records;
+    agree_after_root(world, [&] { records = watch->write_tables(); });
+    return records;
+  }
+  agree_after_root(world, [&] { watch->write_tables(); });
+  throw Stopped(fmt::format("stopped with {} of {} runs complete; the same command goes on from there",
+                            std::ssize(runs) - std::ssize(order) + effort.runs, runs.size()));
+}
+
+}  // namespace repose

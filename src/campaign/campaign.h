@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/grid_table.h"
+#include "campaign/run_folder.h"
+#include "campaign/run_list.h"
+#include "comm/communicator.h"
+#include "run_file.h"
+
+namespace repose {
+
+/// What many runs of one deck have in common, and where they go.
+struct CampaignPlan {
+  StudyDeck study;
+  std::string deck_text;             ///< of the study, for the table
+  std::string base;                  ///< path of the base deck
+  std::vector<std::string> figures;  ///< keys of summary.json, for the table
+  std::string directory;             ///< runs in runs/NAME, tables beside
+  VectorLevel level;
+  RunLog log;  ///< of the whole; each run has a run.log of its own
+};
+
+/// How the ranks have spent a campaign.
+struct CampaignEffort {
+  std::int64_t runs = 0;  ///< done in this job
+  int groups = 1;         ///< of ranks
+  double wall_seconds = 0.0;
+  double idle_share = 0.0;  ///< of all ranks' time, in which they waited for the others' last runs
+};
+
+/// Figures are keys of summary.json; `request` names the study's deck, whose text is given, and the directory. Its
+/// overrides are of the base deck.
+CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
+                     const RunRequest& request);
+
+/// A line for a person.
+std::string effort_text(const CampaignEffort& effort, int ranks);
+
+/// DeckError when a run's deck is wrong, one of the figures is not measured, or the directory holds results of another
+/// base deck. For rank 0.
+void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs);
+
+/// Collective. Does the runs that are not complete, on groups of ranks which draw one after the other, each in a folder
+/// of its own where it goes on if it was interrupted. A run that fails is noted and ends no other. The records of all
+/// runs on rank 0; the tables are written now and then, and at the end. Stopped when `stop_asked` gives a reason
+/// anywhere: the runs under way leave checkpoints.
+std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPlan& plan, std::span<const StudyRun> runs,
+                                    const StopAsked& stop_asked, CampaignEffort& effort);
+
+}  // namespace repose

@@ -1,0 +1,150 @@
+#include "campaign/estimate_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "campaign/observables.h"
+#include "campaign/surface_json.h"
+
+namespace repose {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json list_of(std::span<const double> values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(finite(value));
+  return list;
+}
+
+Json interval_json(const ConfidenceInterval& i) {
+  return {{"lower", i.lower}, {"upper", i.upper}, {"open_below", i.open_below}, {"open_above", i.open_above}};
+}
+
+Json part_json(const RegionPart& part) {
+  Json intervals = Json::array();
+  for (const ConfidenceInterval& interval : part.intervals) intervals.push_back(interval_json(interval));
+  return {{"intervals", intervals}};
+}
+
+Json point_json(const CalibratedPoint& point) {
+  Json covariance = Json::array();
+  for (Index row = 0; row < point.covariance.rows(); ++row) {
+    const Vector values = point.covariance.row(row);
+    covariance.push_back(list_of({values.data(), static_cast<std::size_t>(values.size())}));
+  }
+  return {{"values", point.values},
+          {"misfit", point.misfit},
+          {"standard_errors", list_of(point.standard_errors)},
+          {"covariance", covariance},
+          {"part", point.part}};
+}
+
+Json observable_json(const ObservableDeck& deck, const ObservableData& data, const std::vector<double>& nearest) {
+  const auto runs = std::count_if(data.values.begin(), data.values.end(), [](double v) { return !std::isnan(v); });
+  return {{"figure", deck.figure},
+          {"laboratory", deck.laboratory},
+          {"deviation", deck.deviation},
+          {"repeats", deck.repeats},
+          {"standard_error", data.laboratory.standard_error()},
+          {"runs", runs},
+          {"nearest_off_by", nearest.empty() ? Json(nullptr) : finite(nearest.front())}};
+}
+
+std::string interval_text(const ConfidenceInterval& i) {
+  return fmt::format("{}{:.4g} to {}{:.4g}", i.open_below ? "below " : "", i.lower, i.open_above ? "above " : "",
+                     i.upper);
+}
+
+std::string point_text(const CalibrationDeck& deck, const Estimate& estimate, const CalibratedPoint& point) {
+  std::string text;
+  for (std::size_t k = 0; k < point.values.size(); ++k) {
+    const ConfidenceInterval& interval = estimate.parts[point.part].intervals[k];
+    text +=
+        fmt::format("  {:24} {:.4g} +- {:.2g}, {:.0f} % region {}\n", deck.study.parameters[k].name, point.values[k],
+                    point.standard_errors[k], 100.0 * estimate.confidence, interval_text(interval));
+  }
+  return text;
+}
+
+std::string nearest_text(const CalibrationDeck& deck, const NearestPoint& nearest) {
+  std::string text = "nearest point\n";
+  for (std::size_t k = 0; k < nearest.values.size(); ++k) {
+    text += fmt::format("  {:24} {:.4g}\n", deck.study.parameters[k].name, nearest.values[k]);
+  }
+  for (std::size_t k = 0; k < nearest.off_by.size(); ++k) {
+    text += fmt::format("  {:24} off by {:+.2f} standard deviations\n", deck.observables[k].figure, nearest.off_by[k]);
+  }
+  return text;
+}
+
+std::string runs_text(std::span<const RunRecord> records) {
+  const auto count = [&](RunState state) {
+    return std::count_if(records.begin(), records.end(), [&](const RunRecord& r) { return r.state == state; });
+  };
+  return fmt::format("{} runs: {} done, {} plugged, {} failed, {} to come\n", records.size(), count(RunState::done),
+                     count(RunState::plugged), count(RunState::failed),
+                     count(RunState::waiting) + count(RunState::running));
+}
+
+std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, std::span<const RunRecord> records) {
+  std::string text = runs_text(records);
+  for (const ObservableDeck& o : deck.observables) {
+    text += fmt::format("laboratory {:26} {:.5g}, standard error {:.2g} ({:.2g} / sqrt({}))\n", o.figure, o.laboratory,
+                        o.deviation / std::sqrt(static_cast<double>(o.repeats)), o.deviation, o.repeats);
+  }
+  text += estimate.verdict + "\n";
+  for (const CalibratedPoint& point : estimate.points) text += point_text(deck, estimate, point);
+  if (estimate.points.empty()) text += nearest_text(deck, estimate.nearest);
+  return text;
+}
+
+}  // namespace
+
+Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+  const std::vector<ObservableData> data = observable_data(deck, records);
+  const Misfit misfit(ranges_of(deck.study), places_of(runs), data);
+  const Estimate result = estimate(misfit, deck.confidence);
+  Json parameters = Json::array();
+  for (const ParameterDeck& p : deck.study.parameters) {
+    parameters.push_back({{"name", p.name}, {"key", p.key}, {"min", p.min}, {"max", p.max}});
+  }
+  Json observables = Json::array();
+  for (std::size_t k = 0; k < data.size(); ++k) {
+    std::vector<double> off;
+    if (k < result.nearest.off_by.size()) off.push_back(result.nearest.off_by[k]);
+    observables.push_back(observable_json(deck.observables[k], data[k], off));
+  }
+  Json points = Json::array();
+  for (const CalibratedPoint& point : result.points) points.push_back(point_json(point));
+  Json parts = Json::array();
+  for (const RegionPart& part : result.parts) parts.push_back(part_json(part));
+  Json json = {{"title", deck.study.title},
+               {"confidence", result.confidence},
+               {"limit", result.limit},
+               {"verdict", result.verdict},
+               {"parameters", parameters},
+               {"observables", observables},
+               {"points", points},
+               {"parts", parts},
+               {"nearest",
+                {{"values", result.nearest.values},
+                 {"misfit", finite(result.nearest.misfit)},
+                 {"acceptable", result.nearest.acceptable}}},
+               {"half_width", result.half_width ? Json(*result.half_width) : Json(nullptr)}};
+  if (misfit.parameters() == 2) json["surfaces"] = surface_json(misfit, deck, result.limit);
+  return {text_of(deck, result, records), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"};
+}
+
+std::string progress_of(const Estimate& estimate) {
+  if (!estimate.half_width) return estimate.verdict;
+  return fmt::format("{}; the widest interval is {:.1f} % of its range to either side", estimate.verdict,
+                     100.0 * *estimate.half_width);
+}
+
+}  // namespace repose

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "calibration/estimate.h"
+#include "campaign/run_folder.h"
+#include "campaign/run_list.h"
+#include "deck/calibration_deck.h"
+
+namespace repose {
+
+/// What runs and laboratory say, for a person and for programs.
+struct Report {
+  std::string text;
+  std::string json;  ///< of estimate.json; with two parameters also the surfaces and contour lines, for the plots
+};
+
+/// DeckError when no surface can be built from the runs.
+Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records);
+
+/// One line while a search is under way.
+std::string progress_of(const Estimate& estimate);
+
+}  // namespace repose

@@ -1,0 +1,60 @@
+#include "campaign/observables.h"
+
+#include <limits>
+
+namespace repose {
+namespace {
+
+Transform transform_of(ObservableScale scale) {
+  switch (scale) {
+    case ObservableScale::square_root:
+      return Transform::square_root;
+    case ObservableScale::logarithm:
+      return Transform::logarithm;
+    case ObservableScale::linear:
+      break;
+  }
+  return Transform::none;
+}
+
+LaboratoryValue laboratory_of(const ObservableDeck& o) {
+  const auto repeats = static_cast<double>(o.repeats);
+  LaboratoryValue laboratory{o.laboratory, o.deviation, repeats};
+  if (!o.deviation_is_known) laboratory.freedom = repeats - 1.0;
+  return laboratory;
+}
+
+}  // namespace
+
+std::vector<ParameterRange> ranges_of(const StudyDeck& study) {
+  std::vector<ParameterRange> ranges;
+  for (const ParameterDeck& p : study.parameters) ranges.push_back({p.name, p.min, p.max});
+  return ranges;
+}
+
+std::vector<std::vector<double>> places_of(std::span<const StudyRun> runs) {
+  std::vector<std::vector<double>> places;
+  for (const StudyRun& run : runs) places.push_back(run.values);
+  return places;
+}
+
+std::vector<double> values_of_figure(std::span<const RunRecord> records, const std::string& figure, std::size_t k) {
+  const bool is_mass = figure == "discharged_mass_kg" || figure == "retained_mass_kg";
+  std::vector<double> values;
+  for (const RunRecord& record : records) {
+    const bool counts = record.state == RunState::done || (record.state == RunState::plugged && is_mass);
+    values.push_back(counts && record.figures[k] ? *record.figures[k] : std::numeric_limits<double>::quiet_NaN());
+  }
+  return values;
+}
+
+std::vector<ObservableData> observable_data(const CalibrationDeck& deck, std::span<const RunRecord> records) {
+  std::vector<ObservableData> data;
+  for (std::size_t k = 0; k < deck.observables.size(); ++k) {
+    const ObservableDeck& o = deck.observables[k];
+    data.push_back({o.figure, transform_of(o.scale), laboratory_of(o), values_of_figure(records, o.figure, k)});
+  }
+  return data;
+}
+
+}  // namespace repose

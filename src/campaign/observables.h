@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "calibration/misfit.h"
+#include "campaign/run_folder.h"
+#include "campaign/run_list.h"
+#include "deck/calibration_deck.h"
+
+namespace repose {
+
+/// The ranges in which the parameters are looked for.
+std::vector<ParameterRange> ranges_of(const StudyDeck& study);
+
+/// The parameters of each run.
+std::vector<std::vector<double>> places_of(std::span<const StudyRun> runs);
+
+/// The values of figure `k` of the records, NaN where a run has none. A plugged run counts for the masses alone: what
+/// little has fallen through is no pile (thesis section 3.5).
+std::vector<double> values_of_figure(std::span<const RunRecord> records, const std::string& figure, std::size_t k);
+
+/// What the laboratory and the runs have of each observable; the records' figures are those of the observables.
+std::vector<ObservableData> observable_data(const CalibrationDeck& deck, std::span<const RunRecord> records);
+
+}  // namespace repose

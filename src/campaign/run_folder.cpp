@@ -1,0 +1,82 @@
+#include "campaign/run_folder.h"
+
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "output/atomic_file.h"
+#include "output/directory.h"
+#include "shared_file.h"
+#include "summary_figures.h"
+
+namespace repose {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* failure_file = "/failed.json";
+
+Json read_json(const std::string& path) {
+  Json json = Json::parse(read_whole_file(path), nullptr, false);
+  if (!json.is_object()) throw FileError(fmt::format("{}: is damaged; remove its folder to run it again", path));
+  return json;
+}
+
+/// `json[key]`, which files of this program have. FileError when it is missing or of another type.
+template <class T>
+T value_of(const Json& json, const char* key, const std::string& path) {
+  try {
+    return json.at(key).get<T>();
+  } catch (const Json::exception&) {
+    throw FileError(fmt::format("{}: \"{}\" is missing or wrong; remove the folder to run it again", path, key));
+  }
+}
+
+RunRecord record_of_summary(const std::string& path, std::span<const std::string> figures) {
+  const Json summary = read_json(path);
+  RunRecord record;
+  const bool plugged = summary.contains("plugged") && summary["plugged"].is_boolean() && summary["plugged"].get<bool>();
+  record.state = plugged ? RunState::plugged : RunState::done;
+  for (const std::string& figure : figures) record.figures.push_back(figure_in(summary, figure));
+  record.state_hash = value_of<std::string>(summary, "state_hash", path);
+  record.wall_seconds = value_of<double>(summary, "wall_seconds", path);
+  record.ranks = value_of<int>(summary, "ranks", path);
+  record.restarts = value_of<std::int64_t>(summary, "restarts", path);
+  return record;
+}
+
+}  // namespace
+
+const char* to_string(RunState state) {
+  constexpr std::array names = {"waiting", "running", "done", "plugged", "failed"};
+  return names.at(static_cast<std::size_t>(state));
+}
+
+RunRecord read_run_folder(const std::string& folder, std::span<const std::string> figures) {
+  const std::string summary = folder + "/summary.json";
+  if (std::filesystem::exists(summary)) return record_of_summary(summary, figures);
+  RunRecord record;
+  record.figures.resize(figures.size());
+  const std::string failure = folder + failure_file;
+  if (!std::filesystem::exists(failure)) return record;
+  const Json json = read_json(failure);
+  if (value_of<int>(json, "code", failure) != static_cast<int>(ExitCode::physics)) return record;
+  record.state = RunState::failed;
+  record.reason = value_of<std::string>(json, "reason", failure);
+  return record;
+}
+
+void write_failure(const std::string& folder, ExitCode code, const std::string& reason) {
+  const Json json = {{"status", "failed"}, {"code", static_cast<int>(code)}, {"reason", reason}};
+  create_output_directory(folder);
+  write_text_file(folder + failure_file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void remove_failure(const std::string& folder) {
+  std::error_code ignored;
+  std::filesystem::remove(folder + failure_file, ignored);
+}
+
+}  // namespace repose

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace repose {
+
+/// How far a run of a study has come.
+enum class RunState { waiting, running, done, plugged, failed };
+
+const char* to_string(RunState state);
+
+/// What the folder of a run says. The folders are the truth; tables are made from them.
+struct RunRecord {
+  RunState state = RunState::waiting;
+  std::string reason;                          ///< failed: the message
+  std::vector<std::optional<double>> figures;  ///< those that were asked for; none where the run has none
+  std::string state_hash;
+  double wall_seconds = 0.0;
+  int ranks = 0;
+  std::int64_t restarts = 0;
+};
+
+/// Reads a run's folder, which need not exist. A run that failed for what may be gone by now (a full disk, a deck that
+/// was wrong) waits again; one whose physics broke would break again. FileError when a file cannot be read.
+RunRecord read_run_folder(const std::string& folder, std::span<const std::string> figures);
+
+/// Notes in the folder why its run has failed.
+void write_failure(const std::string& folder, ExitCode code, const std::string& reason);
+/// Takes the note away, before the run is tried again.
+void remove_failure(const std::string& folder);
+
+}  // namespace repose

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deck/study_deck.h"
+
+namespace repose {
+
+/// The scale on which the surface of an observable is built.
+enum class ObservableScale { linear, square_root, logarithm };
+
+/// A figure of the runs, and what the laboratory has.
+struct ObservableDeck {
+  std::string figure;              ///< key of summary.json
+  double laboratory = unset;       ///< in the unit of the figure
+  double deviation = unset;        ///< standard deviation of one measurement
+  std::int64_t repeats = 1;        ///< measurements of which `laboratory` is the mean
+  bool deviation_is_known = true;  ///< false: estimated from these very repeats
+  ObservableScale scale = ObservableScale::linear;
+};
+
+/// Parameters to run at, in the order of the [[parameter]] sections.
+struct PointDeck {
+  std::vector<double> values;
+};
+
+/// A search that decides on its points as it goes.
+struct AdaptiveDeck {
+  bool enabled = false;       ///< true when the deck has the section
+  std::int64_t start = 0;     ///< points of the first design
+  std::int64_t batch = 0;     ///< points decided at a time
+  std::int64_t budget = 0;    ///< points in all
+  double half_width = unset;  ///< of the widest confidence interval over its range, at which it is narrow enough
+};
+
+/// Runs over a grid of parameters, and what their figures should come to.
+struct CalibrationDeck {
+  StudyDeck study;
+  double confidence = 0.95;
+  std::vector<PointDeck> points;  ///< instead of a grid
+  std::vector<ObservableDeck> observables;
+  AdaptiveDeck adaptive;
+};
+
+/// Reads and checks it. DeckError, with the place, on the first mistake.
+CalibrationDeck read_calibration_deck(const std::string& text, const std::string& path);
+
+/// The points of the list or of the grid, the last parameter the fastest; empty with [adaptive].
+std::vector<std::vector<double>> points_of(const CalibrationDeck& deck);
+
+}  // namespace repose

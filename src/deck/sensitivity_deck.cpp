@@ -1,0 +1,48 @@
+#include "deck/sensitivity_deck.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "deck/parse_toml.h"
+#include "deck/reader.h"
+#include "deck/study_schema.h"
+
+namespace repose {
+
+template <class V>
+void describe(V& v, MorrisDeck& m) {
+  v("trajectories", m.trajectories, Unit::none, at_least(2), required, "walks, each of one step per parameter");
+  v("levels", m.levels, Unit::none, at_least(2), optional, "values of each parameter; even");
+}
+
+template <class V>
+void describe(V& v, SensitivityDeck& d) {
+  describe_study(v, d.study);
+  v("figures", d.figures, Unit::none, any_value, required, "keys of summary.json");
+  v.section("morris", d.morris, optional, "Morris screening beside one at a time");
+}
+
+SensitivityDeck read_sensitivity_deck(const std::string& text, const std::string& path) {
+  const toml::table root = parse_toml(text, path);
+  DeckErrors errors(path);
+  SensitivityDeck deck;
+  const Overridden none;
+  Reader reader(root, none, errors);
+  describe(reader, deck);
+  reader.finish();
+  errors.throw_first();
+  check_study(deck.study, errors);
+  if (deck.figures.empty()) errors.add("figures", "\"figures\" names none");
+  for (std::size_t i = 0; i < deck.study.parameters.size(); ++i) {
+    const ParameterDeck& p = deck.study.parameters[i];
+    const std::string section = fmt::format("parameter.{}", i);
+    if (p.points > 0 || !p.values.empty()) errors.add(section, "\"points\" and \"values\" belong to a calibration");
+    if (std::isnan(p.fixed)) errors.add(section, "[[parameter]] lacks \"fixed\" (its value while another changes)");
+  }
+  if (deck.morris.levels % 2 != 0) errors.add("morris.levels", "\"levels\" must be even");
+  errors.throw_first();
+  return deck;
+}
+
+}  // namespace repose

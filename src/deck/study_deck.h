@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deck/deck.h"
+
+namespace repose {
+
+class DeckErrors;
+
+/// A number of the base deck that runs differ in.
+struct ParameterDeck {
+  std::string name;            ///< of tables and folders
+  std::string key;             ///< of the base deck, as with --set
+  double min = unset;          ///< in the key's SI unit; default: the least of `values`
+  double max = unset;          ///< default: the greatest of `values`
+  std::int64_t points = 0;     ///< values from min to max, evenly; 0: not given
+  std::vector<double> values;  ///< or these
+  double fixed = unset;        ///< sensitivity: while another parameter changes
+};
+
+/// Many runs of one deck.
+struct StudyDeck {
+  std::string title;
+  std::string base;              ///< path of the deck, relative to this file
+  std::vector<std::string> set;  ///< "key=value" for all runs
+  std::int64_t seeds = 1;        ///< runs at each point, with successive values of run.seed
+  std::int64_t first_seed = 1;
+  std::int64_t ranks_per_run = 1;
+  std::vector<ParameterDeck> parameters;
+};
+
+/// Notes what is wrong with the parameters and fills in `min` and `max`.
+void check_study(StudyDeck& study, DeckErrors& errors);
+
+/// The values of one parameter.
+std::vector<double> values_of(const ParameterDeck& parameter);
+
+}  // namespace repose

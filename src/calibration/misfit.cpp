@@ -36,9 +36,9 @@ Misfit::Misfit(std::vector<ParameterRange> ranges, std::span<const std::vector<d
                std::span<const ObservableData> observables)
     : ranges_(std::move(ranges)) {
   check(runs.size(), observables);
-  const Matrix points = to_box(ranges_, runs);
+  runs_ = to_box(ranges_, runs);
   for (const ObservableData& o : observables) {
-    const ResponseSurface& surface = surfaces_.emplace_back(o.name, o.transform, points, o.values);
+    const ResponseSurface& surface = surfaces_.emplace_back(o.name, o.transform, runs_, o.values);
     const double level = surface.scaled_level(o.laboratory.value);
     if (!std::isfinite(level)) {
       throw DeckError(fmt::format("observable \"{}\": its transform does not take the laboratory value {:g}", o.name,

@@ -40,6 +40,8 @@ class Misfit {
   const std::vector<ParameterRange>& ranges() const { return ranges_; }
   const std::vector<ResponseSurface>& surfaces() const { return surfaces_; }
   double laboratory_variance(std::size_t k) const { return targets_[k].variance; }  ///< standardised
+  /// A row per run, in units of the box.
+  const Matrix& runs() const { return runs_; }
   Index parameters() const { return static_cast<Index>(ranges_.size()); }
   Index observables() const { return static_cast<Index>(surfaces_.size()); }
 
@@ -50,6 +52,7 @@ class Misfit {
     double freedom;   ///< of the variance
   };
   std::vector<ParameterRange> ranges_;
+  Matrix runs_;
   std::vector<ResponseSurface> surfaces_;
   std::vector<Target> targets_;
   std::vector<SharedNoise> shared_;

@@ -13,7 +13,7 @@
 namespace repose {
 namespace {
 
-constexpr Index lattice_side[] = {0, 401, 81, 21};  // for each number of parameters
+constexpr Index lattice_side[] = {0, 401, 61, 21};  // for each number of parameters
 constexpr double exact = 1e-10;                     // a T at which all residuals are rounding
 
 void check(const Misfit& misfit, double confidence) {
@@ -34,7 +34,7 @@ void check(const Misfit& misfit, double confidence) {
 /// Covariance of the parameters (in units of the box) where the surfaces are as planes (C.16).
 Matrix linearised_covariance(const Misfit& misfit, const Vector& point) {
   const Matrix slopes = misfit.slopes(point);
-  const Matrix information = slopes.transpose() * misfit.covariance(point).ldlt().solve(slopes);
+  const Matrix information = slopes.transpose() * misfit.look(point).covariance.ldlt().solve(slopes);
   const Index d = misfit.parameters();
   const Eigen::LLT<Matrix> factor(information);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -124,7 +124,8 @@ Estimate estimate(const Misfit& misfit, double confidence) {
   e.half_width = widest_half_width(parts);
 
   const LeastSquares& best = minima.front();
-  const Vector off = misfit.differences(best.point).cwiseQuotient(misfit.covariance(best.point).diagonal().cwiseSqrt());
+  const auto [differences, covariance] = misfit.look(best.point);
+  const Vector off = differences.cwiseQuotient(covariance.diagonal().cwiseSqrt());
   e.nearest = {.values = from_box(misfit.ranges(), best.point),
                .misfit = best.squares,
                .acceptable = best.squares <= e.limit,

@@ -20,8 +20,8 @@ void check(std::size_t runs, std::span<const ObservableData> observables) {
       throw DeckError(fmt::format("observable \"{}\": has {} values for {} runs", o.name, o.values.size(), runs));
     }
     const LaboratoryValue& laboratory = o.laboratory;
-    if (!std::isfinite(laboratory.value) || !(laboratory.deviation >= 0.0) || !(laboratory.repeats >= 1.0) ||
-        !(laboratory.freedom > 0.0)) {
+    if (!std::isfinite(laboratory.value) || !std::isfinite(laboratory.deviation) || !(laboratory.deviation >= 0.0) ||
+        !(laboratory.repeats >= 1.0) || !(laboratory.freedom > 0.0)) {
       throw DeckError(
           fmt::format("observable \"{}\": its laboratory value needs a deviation of 0 or more and 1 repeat "
                       "or more",
@@ -54,10 +54,25 @@ Misfit::Misfit(std::vector<ParameterRange> ranges, std::span<const std::vector<d
   }
 }
 
-Vector Misfit::differences(const Vector& point) const {
-  Vector result(observables());
+Misfit::Look Misfit::look(const Vector& point) const {
+  Look result = {.differences = Vector(observables()), .covariance = Matrix::Zero(observables(), observables())};
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-    result[static_cast<Index>(k)] = surfaces_[k].process().at(point).mean - targets_[k].level;
+    const auto i = static_cast<Index>(k);
+    const SurfaceValue surface = surfaces_[k].process().at(point);
+    result.differences[i] = surface.mean - targets_[k].level;
+    result.covariance(i, i) = targets_[k].variance + surface.deviation * surface.deviation + least_variance;
+  }
+  const SharedNoise* shared = shared_.data();
+  for (std::size_t a = 0; a < surfaces_.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b, ++shared) {
+      if (shared->correlation == 0.0) continue;
+      const GaussianProcess& pa = surfaces_[a].process();
+      const GaussianProcess& pb = surfaces_[b].process();
+      const auto i = static_cast<Index>(a);
+      const auto j = static_cast<Index>(b);
+      result.covariance(i, j) = result.covariance(j, i) =
+          shared->covariance(pa.weights(point), pa.noise_variance(), pb.weights(point), pb.noise_variance());
+    }
   }
   return result;
 }
@@ -70,32 +85,10 @@ Matrix Misfit::slopes(const Vector& point) const {
   return result;
 }
 
-Matrix Misfit::covariance(const Vector& point) const {
-  Matrix result = Matrix::Zero(observables(), observables());
-  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-    const auto i = static_cast<Index>(k);
-    const double deviation = surfaces_[k].process().at(point).deviation;
-    result(i, i) = targets_[k].variance + deviation * deviation + least_variance;
-  }
-  const SharedNoise* shared = shared_.data();
-  for (std::size_t a = 0; a < surfaces_.size(); ++a) {
-    for (std::size_t b = 0; b < a; ++b, ++shared) {
-      if (shared->correlation == 0.0) continue;
-      const GaussianProcess& pa = surfaces_[a].process();
-      const GaussianProcess& pb = surfaces_[b].process();
-      const auto i = static_cast<Index>(a);
-      const auto j = static_cast<Index>(b);
-      result(i, j) = result(j, i) =
-          shared->covariance(pa.weights(point), pa.noise_variance(), pb.weights(point), pb.noise_variance());
-    }
-  }
-  return result;
-}
-
 Vector Misfit::residuals(const Vector& point) const {
-  const Matrix scatter = covariance(point);
+  const auto [differences, scatter] = look(point);
   const Vector deviation = scatter.diagonal().cwiseSqrt();
-  Vector z = differences(point).cwiseQuotient(deviation);
+  Vector z = differences.cwiseQuotient(deviation);
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     const auto i = static_cast<Index>(k);
     // Welch and Satterthwaite's degrees of freedom of a sum of two variances.

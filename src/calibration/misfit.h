@@ -32,10 +32,14 @@ class Misfit {
   /// Independent standard normal numbers at the true parameters (C.13); T is the sum of their squares.
   Vector residuals(const Vector& point) const;
 
-  /// Surface less laboratory, one row per observable, on the standardised scale; its derivatives; its covariance.
-  Vector differences(const Vector& point) const;
+  /// Surfaces less laboratory, one per observable, on the standardised scale.
+  struct Look {
+    Vector differences;
+    Matrix covariance;  ///< of the differences (C.11)
+  };
+  Look look(const Vector& point) const;
+  /// Derivatives of the differences, one row per observable.
   Matrix slopes(const Vector& point) const;
-  Matrix covariance(const Vector& point) const;
 
   const std::vector<ParameterRange>& ranges() const { return ranges_; }
   const std::vector<ResponseSurface>& surfaces() const { return surfaces_; }

@@ -1,5 +1,7 @@
 #include "calibration/parameter_range.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -13,10 +15,12 @@ Vector to_box(std::span<const ParameterRange> ranges, std::span<const double> va
   Vector point(static_cast<Index>(ranges.size()));
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const ParameterRange& range = ranges[i];
-    if (!(range.upper > range.lower)) {
+    if (!(range.upper > range.lower) || !std::isfinite(range.upper - range.lower)) {
       throw DeckError(fmt::format("parameter \"{}\": its range from {:g} to {:g} has no width", range.name, range.lower,
                                   range.upper));
     }
+    if (!std::isfinite(values[i]))
+      throw DeckError(fmt::format("parameter \"{}\": a run has no finite value", range.name));
     point[static_cast<Index>(i)] = (values[i] - range.lower) / (range.upper - range.lower);
   }
   return point;

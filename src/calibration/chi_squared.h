@@ -9,7 +9,7 @@ double chi_squared_below(double x, double freedom);
 double chi_squared_quantile(double share, double freedom);
 
 /// The z of a normal distribution that is as unlikely as a t of Student's with `freedom` degrees of freedom, with the
-/// sign of t (C.14): Wallace 1959, doi:10.1214/aoms/1177706093; within 0.02 up to z = 3 for 3 degrees of freedom or
+/// sign of t (C.14): Wallace, Ann. Math. Stat. 30 (1959) 1121; within 0.02 up to z = 3 for 3 degrees of freedom or
 /// more, exact for infinitely many.
 double normal_equivalent(double t, double freedom);
 

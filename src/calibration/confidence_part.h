@@ -10,7 +10,7 @@ namespace repose {
 
 /// A connected part of the region T <= limit in the unit box.
 struct ConfidencePart {
-  Vector lower, upper;                       ///< its extent in each parameter
+  Vector lower, upper;                       ///< its extent in each parameter (C.15)
   std::vector<bool> open_below, open_above;  ///< it meets the edge of the box there, and goes on beyond
   BoxLattice lattice;                        ///< over its extent, and
   std::vector<char> inside;                  ///< which of its nodes belong to the part

@@ -85,12 +85,12 @@ std::string verdict_of(const Estimate& e, bool square) {
                      e.nearest.misfit, e.nearest.acceptable ? "within the errors" : "not acceptable", e.limit);
 }
 
-std::optional<double> widest_half_width(const std::vector<ConfidencePart>& parts) {
-  std::optional<double> widest;
-  for (const ConfidencePart& part : parts) {
-    widest = std::max(widest.value_or(0.0), 0.5 * (part.upper - part.lower).maxCoeff());
-  }
-  return widest;
+/// The greatest half-width of a part, in units of the box. Where the edge of the box cuts a part off, most when its
+/// surfaces meet the laboratory beyond, what is left is narrow though nothing is known better: the half-width counts as
+/// that of planes through the part's best point at least.
+double half_width(const Misfit& misfit, const ConfidencePart& part, const Vector& best, double limit) {
+  const Vector of_planes = (limit * linearised_covariance(misfit, best).diagonal()).cwiseSqrt().cwiseMin(0.5);
+  return of_planes.cwiseMax(0.5 * (part.upper - part.lower)).maxCoeff();
 }
 
 }  // namespace
@@ -114,6 +114,7 @@ Estimate estimate(const Misfit& misfit, double confidence) {
     if (part == parts.end()) {
       parts.push_back(confidence_part(residuals, over_box, low.point, e.limit));
       part = parts.end() - 1;
+      e.half_width = std::max(e.half_width.value_or(0.0), half_width(misfit, *part, low.point, e.limit));
     }
     // A lower point of the same part makes an inexact one no more than a dent.
     const auto index = static_cast<std::size_t>(part - parts.begin());
@@ -121,7 +122,6 @@ Estimate estimate(const Misfit& misfit, double confidence) {
     if (low.squares <= exact || (!square && first)) e.points.push_back(calibrated_point(misfit, low, index));
   }
   for (const ConfidencePart& part : parts) e.parts.push_back(in_units(misfit.ranges(), part));
-  e.half_width = widest_half_width(parts);
 
   const LeastSquares& best = minima.front();
   const auto [differences, covariance] = misfit.look(best.point);

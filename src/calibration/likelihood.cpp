@@ -50,7 +50,7 @@ Hyperparameters hyperparameters_at(const Vector& log_parameters) {
 Factors factorise(const Replicates& data, const Hyperparameters& hyperparameters, bool linear) {
   Factors f;
   Matrix covariance = MaternKernel{hyperparameters.lengths}.between(data.points, data.points);
-  covariance.diagonal() += hyperparameters.noise_ratio * data.count.cwiseInverse();
+  covariance.diagonal() += hyperparameters.noise_ratio * data.count.cwiseInverse();  // (C.2)
   f.covariance.compute(covariance);
   f.terms = mean_terms(data.points, linear);
   f.weighted_terms = f.covariance.solve(f.terms);
@@ -59,10 +59,9 @@ Factors factorise(const Replicates& data, const Hyperparameters& hyperparameters
   f.coefficients = f.coefficient_covariance * (f.weighted_terms.transpose() * data.mean);  // (C.3)
   const Vector residual = data.mean - f.terms * f.coefficients;
   f.weights = f.covariance.solve(residual);
-  // (C.4)
   f.freedom = static_cast<double>(data.size() - f.terms.cols()) + data.freedom_within;
   const double squares = residual.dot(f.weights) + data.squares_within / hyperparameters.noise_ratio;
-  f.signal_variance = std::max(squares / f.freedom, least_variance);
+  f.signal_variance = std::max(squares / f.freedom, least_variance);  // (C.4)
   return f;
 }
 

@@ -11,7 +11,8 @@
 namespace repose {
 namespace {
 
-constexpr double least_variance = 1e-18;  // standardised; a laboratory and a surface without any error
+// Standardised. Of a laboratory and a surface without any error; below it T would be made of rounding.
+constexpr double least_variance = 1e-12;
 
 void check(std::size_t runs, std::span<const ObservableData> observables) {
   if (observables.empty()) throw DeckError("there is no observable to calibrate with");
@@ -60,7 +61,7 @@ Misfit::Look Misfit::look(const Vector& point) const {
     const auto i = static_cast<Index>(k);
     const SurfaceValue surface = surfaces_[k].process().at(point);
     result.differences[i] = surface.mean - targets_[k].level;
-    result.covariance(i, i) = targets_[k].variance + surface.deviation * surface.deviation + least_variance;
+    result.covariance(i, i) = targets_[k].variance + surface.deviation * surface.deviation + least_variance;  // (C.11)
   }
   const SharedNoise* shared = shared_.data();
   for (std::size_t a = 0; a < surfaces_.size(); ++a) {
@@ -106,7 +107,7 @@ Vector Misfit::residuals(const Vector& point) const {
     correlation.diagonal().setOnes();
     factor.compute(correlation);
   }
-  return factor.matrixL().solve(z);
+  return factor.matrixL().solve(z);  // (C.13)
 }
 
 }  // namespace repose

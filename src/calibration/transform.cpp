@@ -18,7 +18,7 @@ double transformed(Transform transform, double value) {
 }
 
 double mean_in_units(Transform transform, double mean, double variance) {
-  if (transform == Transform::square_root) return mean * mean + variance - anscombe;
+  if (transform == Transform::square_root) return mean * mean + variance - anscombe;  // (C.9)
   if (transform == Transform::logarithm) return std::exp(mean + 0.5 * variance);
   return mean;
 }

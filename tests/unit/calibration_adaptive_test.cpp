@@ -23,15 +23,18 @@ struct Outcome {
   bool reached = false;
 };
 
-/// Batches of 4 points with 2 seeds from a start of 9 points, until the half-width is that asked for or the budget is
-/// spent.
+/// Batches of 4 points with 2 seeds from a start of 9 points, until the half-width is that asked for twice in a row or
+/// the budget is spent.
 Outcome search(const StandIn& s, Campaign c, const std::vector<double>& hidden, double half_width, std::size_t budget,
                Draw& draw) {
   add_seeds(c, s, start_design(s.ranges, 9, 1), 2, draw);
+  bool narrow = false;
   while (true) {
     const Misfit misfit(s.ranges, c.points, c.observables);
     const Estimate e = estimate(misfit, 0.95);
-    const bool reached = e.half_width && *e.half_width <= half_width;
+    const bool narrow_before = narrow;
+    narrow = e.half_width && *e.half_width <= half_width;
+    const bool reached = narrow && narrow_before;
     if (reached || c.points.size() + 8 > budget) {
       return {.runs = c.points.size(), .covered = misfit(to_box(s.ranges, hidden)) <= e.limit, .reached = reached};
     }
@@ -39,11 +42,11 @@ Outcome search(const StandIn& s, Campaign c, const std::vector<double>& hidden, 
   }
 }
 
-// A half-width of 0.16 is what the grid of 6 by 6 points with 3 seeds, 108 runs, gives about these parameters (the
-// error of the laboratory alone: half of that), in the mean of many campaigns.
+// A half-width of 0.13 is what the grid of 6 by 6 points with 3 seeds, 108 runs, gives about these parameters in the
+// mean. The search needed 33 runs in the mean when this was written.
 TEST(Adaptive, ReachesTheGridsHalfWidthWithFewerRuns) {
   const StandIn s = friction_stand_in();
-  constexpr double half_width = 0.16;
+  constexpr double half_width = 0.13;
   constexpr std::size_t grid_runs = 108;
   std::size_t runs = 0;
   int reached = 0;
@@ -63,13 +66,10 @@ TEST(Adaptive, ReachesTheGridsHalfWidthWithFewerRuns) {
     reached += o.reached ? 1 : 0;
     covered += o.covered ? 1 : 0;
   }
-  EXPECT_GT(of_grids, 0.1);
-  EXPECT_LT(of_grids, 0.2);
+  EXPECT_NEAR(of_grids, half_width, 0.02);
   EXPECT_GE(reached, 9);
   EXPECT_GE(covered, 8);  // of 95 % in the mean, fewer than 8 are less likely than 2 %
   EXPECT_LT(runs, 10 * grid_runs / 2);
-  RecordProperty("runs", static_cast<int>(runs));
-  std::printf("runs %zu reached %d covered %d grids %.3f\n", runs, reached, covered, of_grids);
 }
 
 TEST(Adaptive, NextPointsAreInTheRangesAndTheSameAgain) {

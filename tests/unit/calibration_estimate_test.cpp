@@ -35,6 +35,7 @@ ObservableData observable(const char* name, Function function, double laboratory
 
 double sum(double x, double y) { return x + y; }
 double difference(double x, double y) { return x - y; }
+double product(double x, double y) { return (x + 0.1) * std::exp(-y); }
 double bowl(double x, double y) { return (x - 0.5) * (x - 0.5) + 0.1 * y; }
 
 // Of planes all is known: the crossing, the covariance J^-1 S J^-T, and half-widths of sqrt(limit) standard errors.
@@ -185,6 +186,29 @@ TEST(Estimate, RefusesWhatItCannotTell) {
                DeckError);
   const std::vector<ParameterRange> narrow = {{"mu", 0.5, 0.5}, {"mu_r", 0.0, 1.0}};
   EXPECT_THROW(estimate(narrow, grid_runs(), std::vector{plane, plane}, 0.95), DeckError);
+}
+
+// (x + 0.1) e^-y on x + y = 0.9.
+TEST(Estimate, OfALaboratoryWithoutErrorIsNearlyAPoint) {
+  const std::vector<ObservableData> observables = {observable("sum", sum, 0.9, 0.0),
+                                                   observable("product", product, 0.5 * std::exp(-0.5), 0.0)};
+  const Estimate e = estimate(ranges, grid_runs(), observables, 0.95);
+  ASSERT_EQ(e.points.size(), 1U);
+  EXPECT_NEAR(e.points[0].values[0], 0.1 + 0.8 * 0.4, 1e-3);
+  ASSERT_EQ(e.parts.size(), 1U);
+  EXPECT_LT(e.parts[0].intervals[0].upper - e.parts[0].intervals[0].lower, 0.02);
+}
+
+TEST(Estimate, AnObservableThatIsTheSameEverywhereTellsNothing) {
+  const auto flat = [](double, double) { return 3.0; };
+  std::vector<ObservableData> observables = {observable("sum", sum, 0.9, 0.02), observable("flat", flat, 3.0, 0.1)};
+  Estimate e = estimate(ranges, grid_runs(), observables, 0.95);
+  ASSERT_EQ(e.parts.size(), 1U);
+  EXPECT_TRUE(e.parts[0].intervals[0].open_below);
+  observables[1].laboratory.value = 4.0;
+  e = estimate(ranges, grid_runs(), observables, 0.95);
+  EXPECT_TRUE(e.points.empty());
+  EXPECT_FALSE(e.nearest.acceptable);
 }
 
 // Two observables that say the same cannot tell two parameters apart: the region goes from edge to edge.

@@ -25,7 +25,9 @@ enum class RandomStream : std::uint32_t {
   insertion_jitter = 0,
   particle_size = 1,
   fill_position = 2,
-  pour_position = 3
+  pour_position = 3,
+  start_design = 4,
+  morris_design = 5
 };
 
 /// The k-th number of a particle in a stream, uniform in [0, 1) with 53 bits. A function of its arguments alone, so

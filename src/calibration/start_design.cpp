@@ -1,0 +1,58 @@
+#include "calibration/start_design.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/error.h"
+#include "base/philox.h"
+
+namespace repose {
+namespace {
+
+constexpr std::uint64_t tries = 2000;
+
+/// Each column is a permutation of equal steps from 0 to 1.
+Matrix latin_hypercube(Index points, Index parameters, std::uint64_t seed, std::uint64_t attempt) {
+  Matrix design(points, parameters);
+  std::uint32_t k = 0;
+  for (Index j = 0; j < parameters; ++j) {
+    for (Index i = 0; i < points; ++i) {
+      design(i, j) = points > 1 ? static_cast<double>(i) / static_cast<double>(points - 1) : 0.5;
+    }
+    for (Index i = points - 1; i > 0; --i) {
+      const double u = uniform(seed, attempt, RandomStream::start_design, k++);
+      std::swap(design(i, j), design(static_cast<Index>(u * static_cast<double>(i + 1)), j));
+    }
+  }
+  return design;
+}
+
+double least_distance(const Matrix& design) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < design.rows(); ++i) {
+    for (Index j = 0; j < i; ++j) least = std::min(least, (design.row(i) - design.row(j)).squaredNorm());
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> start_design(const std::vector<ParameterRange>& ranges, std::size_t points,
+                                              std::uint64_t seed) {
+  if (points == 0 || ranges.empty()) throw DeckError("a start design needs a parameter and a point or more");
+  Matrix best;
+  double farthest = -1.0;
+  for (std::uint64_t attempt = 0; attempt < tries; ++attempt) {
+    const Matrix design = latin_hypercube(static_cast<Index>(points), static_cast<Index>(ranges.size()), seed, attempt);
+    const double distance = least_distance(design);
+    if (distance <= farthest) continue;
+    farthest = distance;
+    best = design;
+  }
+  std::vector<std::vector<double>> result;
+  for (Index i = 0; i < best.rows(); ++i) result.push_back(from_box(ranges, best.row(i).transpose()));
+  return result;
+}
+
+}  // namespace repose

@@ -64,7 +64,7 @@ class Group {
         log.reset(std::fopen((folder + "/run.log").c_str(), "a"));
         if (!log) throw FileError(fmt::format("{}/run.log: cannot be opened", folder));
       });
-      const RunRequest request = {plan_.base, run.overrides, folder, plan_.level, true, {log.get(), log.get()}};
+      const RunRequest request = {plan_.base, run.overrides, folder, plan_.level, {log.get(), log.get()}, true};
       run_file(comm_, request, [&](double needed) { return stop_now(needed); });
     } catch (const Stopped&) {
       if (comm_.is_root()) counters_.add(stop_wanted, 1);

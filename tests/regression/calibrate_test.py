@@ -1,0 +1,201 @@
+"""`repose calibrate`, `estimate` and `sensitivity`: grids over groups of ranks, each run once, with the same tables and
+estimates on any number of ranks; failed runs, wrong decks, grids that grow, searches.
+
+Usage: calibrate_test.py EXECUTABLE MPIEXEC SOURCE_DIR
+"""
+
+import csv
+import json
+import os
+import sys
+import tempfile
+import unittest
+
+import h5py
+
+from repose_runs import Program
+
+# Two hundred grains and a wide orifice, for some milliseconds. What they do does not matter here.
+REDUCED = ["particles.0.mass=0.03 g", "particles.0.height=20 mm", "output.snapshot_interval=0", "phase.settle.max_time=15 ms",
+           "phase.settle.min_time=0", "phase.discharge.max_time=60 ms", "phase.discharge.min_time=0",
+           "measurement.discharge.plugged_share=0.02"]
+HEAD = """
+title = "in small"
+base = "{base}"
+seeds = {seeds}
+ranks_per_run = {ranks_per_run}
+set = {sets}
+"""
+SLIDING = '[[parameter]]\nname = "sliding"\nkey = "pair.0.sliding_friction"\n'
+RESTITUTION = '[[parameter]]\nname = "restitution"\nkey = "pair.0.restitution"\n'
+MASS = '[[observable]]\nfigure = "discharged_mass_kg"\nlaboratory = 8e-6\ndeviation = 1e-6\nrepeats = 4\n'
+RATE = '[[observable]]\nfigure = "retained_mass_kg"\nlaboratory = 22e-6\ndeviation = 1e-6\nrepeats = 4\n'
+GRID = SLIDING + "values = [0.1, 0.4]\n" + RESTITUTION + "min = 0.2\nmax = 0.8\npoints = 3\n" + MASS + RATE
+
+
+class Calibrate(unittest.TestCase):
+    program = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.output = os.path.join(self.folder, "out")
+
+    def write(self, text, sets=REDUCED, seeds=2, ranks_per_run=1):
+        path = os.path.join(self.folder, "study.toml")
+        with open(path, "w") as file:
+            file.write(HEAD.format(base=self.program.deck("discharge_quick.toml"), seeds=seeds,
+                                   ranks_per_run=ranks_per_run, sets=json.dumps(sets)) + text)
+        return path
+
+    def call(self, command, path, *options, ranks=2, output=None):
+        return self.program.call(command, path, "--output", output or self.output, *options, ranks=ranks)
+
+    def calibrate(self, *arguments, **named):
+        done = self.call("calibrate", *arguments, **named)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def refused(self, path, message, command="calibrate"):
+        done = self.call(command, path)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn(message, done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(self.output, "runs")))
+
+    def table(self, output=None):
+        with open(os.path.join(output or self.output, "grid.csv")) as file:
+            return list(csv.DictReader(file))
+
+    def read(self, name, output=None):
+        with open(os.path.join(output or self.output, name)) as file:
+            return file.read()
+
+    def test_a_grid_is_the_same_on_any_ranks_and_groups(self):
+        outputs = [os.path.join(self.folder, name) for name in ("one", "two", "three")]
+        says = [self.calibrate(self.write(GRID), ranks=1, output=outputs[0]),
+                self.calibrate(self.write(GRID), ranks=2, output=outputs[1]),
+                self.calibrate(self.write(GRID, ranks_per_run=2), ranks=5, output=outputs[2])]
+        for ranks, groups, text in zip((1, 2, 5), (1, 2, 2), says):
+            self.assertIn("12 runs in", text)
+            self.assertIn(f"on {ranks} rank{'s' if ranks > 1 else ''}, {groups} at a time", text)
+            self.assertIn("12 runs: 12 done, 0 plugged, 0 failed, 0 to come", text)
+            self.assertIn("standard error 5e-07 (1e-06 / sqrt(4))", text)
+        for output in outputs[1:]:
+            self.assertEqual(self.read("grid.csv", output), self.read("grid.csv", outputs[0]))
+            self.assertEqual(self.read("estimate.json", output), self.read("estimate.json", outputs[0]))
+        rows = self.table(outputs[0])
+        self.assertEqual([(r["sliding"], r["restitution"], r["seed"]) for r in rows[:3]],
+                         [("0.1", "0.2", "1"), ("0.1", "0.2", "2"), ("0.1", "0.5", "1")])
+        self.assertGreater(len({r["discharged_mass_kg"] for r in rows}), 6)
+
+    def test_the_table_is_that_of_the_runs(self):
+        self.calibrate(self.write(GRID))
+        rows = self.table()
+        with h5py.File(os.path.join(self.output, "grid.h5")) as file:
+            runs = file["runs"]
+            self.assertEqual(list(runs["parameters"].attrs["names"]), ["sliding", "restitution"])
+            self.assertEqual(list(runs["figures"].attrs["names"]), ["discharged_mass_kg", "retained_mass_kg"])
+            folders = [name.decode() for name in runs["folder"]]
+            for k, row in enumerate(rows):
+                with open(os.path.join(self.output, folders[k], "summary.json")) as summary_file:
+                    summary = json.load(summary_file)
+                self.assertEqual(summary["discharged_mass_kg"], float(row["discharged_mass_kg"]))
+                self.assertEqual(summary["discharged_mass_kg"], runs["figures"][k, 0])
+                self.assertEqual(summary["state_hash"], runs["state_hash"][k].decode())
+                self.assertIn(f"sliding_friction = {float(row['sliding'])}", summary["deck"])
+                self.assertIn(f"restitution = {float(row['restitution'])}", summary["deck"])
+                self.assertIn(f"seed = {row['seed']}", summary["deck"])
+                self.assertIn(row["state"], ("done", "plugged"))
+                self.assertEqual(row["state"], runs["state"][k].decode())
+                self.assertGreater(file["effort/wall_seconds"][k], 0.0)
+            self.assertEqual(file.attrs["deck"], self.read("calibration.toml"))
+        self.assertIn("phase discharge ended", self.read(os.path.join(folders[0], "run.log")))
+
+    def test_what_is_complete_is_not_run_again(self):
+        self.calibrate(self.write(GRID))
+        table = self.read("grid.csv")
+        self.assertIn("0 runs in", self.calibrate(self.write(GRID)))
+        self.assertEqual(self.read("grid.csv"), table)
+        larger = GRID.replace("[0.1, 0.4]", "[0.1, 0.4, 0.7]")
+        self.assertIn("6 runs in", self.calibrate(self.write(larger), ranks=3))
+        self.assertEqual(len(self.table()), 18)
+        self.assertEqual(self.read("grid.csv").splitlines()[:13], table.splitlines())
+
+    def test_a_failed_run_ends_no_other_and_is_not_tried_again(self):
+        text = GRID.replace(RESTITUTION + "min = 0.2\nmax = 0.8\npoints = 3\n",
+                            '[[parameter]]\nname = "overlap"\nkey = "guards.max_overlap"\nvalues = [1e-5, 0.2, 0.3]\n')
+        says = self.calibrate(self.write(text))
+        self.assertIn("12 runs: 8 done, 0 plugged, 4 failed, 0 to come", says)
+        for row in self.table():
+            self.assertEqual(row["state"], "failed" if row["overlap"] == "1e-05" else "done")
+            self.assertEqual("overlap" in row["reason"], row["state"] == "failed")
+            self.assertEqual(row["discharged_mass_kg"] == "", row["state"] == "failed")
+        self.assertIn("0 runs in", self.calibrate(self.write(text)))
+
+    def test_more_groups_than_runs(self):
+        text = SLIDING + "values = [0.1, 0.4]\n" + RESTITUTION + "values = [0.2, 0.3]\n" + MASS + RATE
+        self.assertIn("on 7 ranks, 4 at a time", self.calibrate(self.write(text, seeds=1), ranks=7))
+
+    def test_wrong_decks_are_refused_before_any_run(self):
+        self.refused(self.write(GRID.replace("sliding_friction", "slidding_friction")), "slidding_friction")
+        self.refused(self.write(GRID.replace("discharged_mass_kg", "discharge_mass_kg")),
+                     'did you mean "discharged_mass_kg"?')
+        self.refused(self.write(GRID.replace("retained_mass_kg", "tilt_onset_deg")),
+                     "[measurement.tilt_onset], which the base deck lacks")
+        self.refused(self.write(GRID.replace("[0.1, 0.4]", "[0.1, -0.4]")), "sliding_friction=-0.4")
+        self.refused(self.write(GRID.replace('"restitution"', '"sliding"')), "names another parameter")
+        self.refused(self.write(GRID.replace("min = 0.2", "min = 0.9")), '"max" = 0.8 must be above "min" = 0.9')
+        self.refused(self.write(GRID.replace(RATE, "")), "2 parameters take as many [[observable]]s")
+        self.refused(self.write(GRID.replace("repeats = 4\n", "deviation_is_known = false\n", 1)), "takes at least 2")
+        self.refused(self.write(SLIDING + "min = 0.1\nmax = 0.2\n" + MASS), 'lacks "points" or "values"')
+
+    def test_another_base_deck_in_the_same_directory_is_refused(self):
+        self.calibrate(self.write(GRID, seeds=1))
+        done = self.call("calibrate", self.write(GRID, sets=[*REDUCED, "pair.1.restitution=0.3"], seeds=1))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("restitution", done.stderr)
+
+    def test_estimate_with_other_laboratory_values(self):
+        self.calibrate(self.write(GRID))
+        own = self.read("estimate.json")
+        done = self.program.call("estimate", self.output)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.read("estimate.json"), own)
+        done = self.program.call("estimate", self.output, "--deck", self.write(GRID.replace("8e-6", "8.5e-6")))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotEqual(self.read("estimate.json"), own)
+
+    def test_a_search_depends_on_nothing_but_its_runs(self):
+        search = (SLIDING + "min = 0.1\nmax = 0.7\n" + RESTITUTION + "min = 0.2\nmax = 0.8\n" + MASS + RATE +
+                  "[adaptive]\nstart = 5\nbatch = 2\nbudget = 9\nhalf_width = 0.01\n")
+        outputs = [os.path.join(self.folder, name) for name in ("one", "three")]
+        for ranks, output in zip((1, 3), outputs):
+            self.assertIn("18 runs: ", self.calibrate(self.write(search), ranks=ranks, output=output))
+        self.assertEqual(self.read("grid.csv", outputs[0]), self.read("grid.csv", outputs[1]))
+        self.assertEqual(self.read("estimate.json", outputs[0]), self.read("estimate.json", outputs[1]))
+        self.assertIn("0 runs in", self.calibrate(self.write(search), output=outputs[0]))
+
+    def test_sensitivity(self):
+        text = ('figures = ["discharged_mass_kg", "discharge_time_s"]\n[morris]\ntrajectories = 2\n' + SLIDING +
+                "min = 0.1\nmax = 0.7\nfixed = 0.4\n" + RESTITUTION + "min = 0.2\nmax = 0.8\nfixed = 0.5\n")
+        path = self.write(text)
+        done = self.call("sensitivity", path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        result = json.loads(self.read("sensitivity.json"))
+        mass = [e for e in result["one_at_a_time"] if e["figure"] == "discharged_mass_kg"]
+        self.assertEqual([e["parameter"] for e in mass], ["sliding", "restitution"])
+        rows = {(r["sliding"], r["restitution"], r["seed"]): float(r["discharged_mass_kg"]) for r in self.table()}
+        lower = (rows["0.1", "0.5", "1"] + rows["0.1", "0.5", "2"]) / 2
+        upper = (rows["0.7", "0.5", "1"] + rows["0.7", "0.5", "2"]) / 2
+        self.assertNotEqual(upper, lower)
+        self.assertAlmostEqual(mass[0]["effect"] / (upper - lower), 1.0, places=12)
+        self.assertEqual({e["effects"] for e in result["morris"]}, {2.0})
+
+
+def main():
+    Calibrate.program = Program(*sys.argv[1:4])
+    unittest.main(argv=sys.argv[:1], verbosity=2)
+
+
+main()

@@ -1,0 +1,110 @@
+"""kill -9 of a whole calibration at random moments, and the same command again each time on 1 to 4 ranks: the grid's table
+ends as that of a job that nobody disturbed, times and attempts aside, and nothing complete is run again.
+
+Usage: calibrate_kill_test.py EXECUTABLE MPIEXEC SOURCE_DIR KILLS [SEED]
+"""
+
+import os
+import random
+import signal
+import sys
+import tempfile
+import time
+
+import h5py
+
+from faulty_runs import Job, Program
+
+DECK = """
+base = "{base}"
+seeds = 3
+set = ["particles.0.mass=0.1 g", "output.snapshot_interval=10 ms", "phase.settle.max_time=20 ms", "phase.settle.min_time=0",
+       "phase.discharge.max_time=80 ms", "phase.discharge.min_time=0", "output.checkpoint_steps=2000",
+       "measurement.discharge.plugged_share=0.02"]
+[[parameter]]
+name = "sliding_friction"
+key = "pair.0.sliding_friction"
+values = [0.1, 0.5]
+[[parameter]]
+name = "restitution"
+key = "pair.0.restitution"
+values = [0.2, 0.5, 0.8]
+[[observable]]
+figure = "discharged_mass_kg"
+laboratory = 30e-6
+deviation = 3e-6
+[[observable]]
+figure = "angle_of_repose_deg"
+laboratory = 20.0
+deviation = 3.0
+[[observable]]
+figure = "retained_mass_kg"
+laboratory = 70e-6
+deviation = 3e-6
+"""
+
+
+def content(output):
+    """Everything in grid.h5 but what it has cost."""
+    with h5py.File(os.path.join(output, "grid.h5")) as file:
+        found = {name: (file["runs"][name][...].tobytes(), dict((k, str(v)) for k, v in file["runs"][name].attrs.items()))
+                 for name in file["runs"]}
+        return found, {k: str(v) for k, v in file.attrs.items()}
+
+
+def arguments(program, deck, output, ranks):
+    return [program.mpiexec, "-n", str(ranks), program.executable, "calibrate", deck, "--output", output]
+
+
+def finished(output):
+    """Modification times of the summaries."""
+    runs = os.path.join(output, "runs")
+    paths = [os.path.join(runs, name, "summary.json") for name in (os.listdir(runs) if os.path.isdir(runs) else ())]
+    return {path: os.stat(path).st_mtime_ns for path in paths if os.path.exists(path)}
+
+
+def kill_once(program, deck, output, draw, patience):
+    """Whether the job was alive to be killed."""
+    ranks = draw.randint(1, 4)
+    with Job(arguments(program, deck, output, ranks), env={"OMPI_MCA_orte_abort_print_stack": "0"}) as job:
+        time.sleep(draw.uniform(0.2, patience))
+        for pid in job.ranks():
+            os.kill(pid, signal.SIGKILL)
+        code, _, err = job.end()
+    print(f"killed {ranks} ranks with {len(finished(output))} runs complete", flush=True)
+    assert code in (0, 137), f"exit {code}: {err}"
+    return code == 137
+
+
+def main():
+    program = Program(*sys.argv[1:4])
+    kills = int(sys.argv[4])
+    seed = int(sys.argv[5]) if len(sys.argv) > 5 else random.randrange(10**6)
+    print("seed", seed)
+    draw = random.Random(seed)
+    with tempfile.TemporaryDirectory() as folder:
+        deck = os.path.join(folder, "calibration.toml")
+        with open(deck, "w") as file:
+            file.write(DECK.format(base=program.deck("discharge_quick.toml")))
+        calm, wild = os.path.join(folder, "calm"), os.path.join(folder, "wild")
+        begin = time.monotonic()
+        with Job(arguments(program, deck, calm, 2)) as job:
+            code, _, err = job.end(1200)
+        assert code == 0, err
+        patience = 2.0 * (time.monotonic() - begin) / kills
+        killed = 0
+        complete = {}
+        while killed < kills and kill_once(program, deck, wild, draw, patience):
+            killed += 1
+            now = finished(wild)
+            assert all(now[path] == when for path, when in complete.items()), "a complete run was run again"
+            complete = now
+        with Job(arguments(program, deck, wild, draw.randint(1, 4))) as job:
+            code, out, err = job.end(1200)
+        assert code == 0, err
+        assert content(wild) == content(calm)
+        assert all(finished(wild)[path] == when for path, when in complete.items()), "a complete run was run again"
+        assert killed >= kills // 2, f"complete after {killed} kills"
+
+
+main()

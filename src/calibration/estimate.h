@@ -49,8 +49,8 @@ struct Estimate {
   NearestPoint nearest;
   std::vector<RegionPart> parts;  ///< empty: no parameters in the box are acceptable
   /// The greatest half-width of an interval over its parameter's range: the measure at which an adaptive search stops.
-  /// What the edge of the box cuts off counts as in `standard_errors`; 0.5 where nothing is known. One estimate may be
-  /// narrow by luck: a search should stop when two in a row are narrow enough.
+  /// What the edge of the box cuts off counts as in `standard_errors`; 0.5 where nothing is known. A search
+  /// that stops by it chooses among estimates, and covers somewhat less than its confidence (docs/theory.md).
   std::optional<double> half_width;
   std::string verdict;  ///< one sentence: how many crossings, and what that means
 };

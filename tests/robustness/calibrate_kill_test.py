@@ -34,10 +34,6 @@ figure = "discharged_mass_kg"
 laboratory = 30e-6
 deviation = 3e-6
 [[observable]]
-figure = "angle_of_repose_deg"
-laboratory = 20.0
-deviation = 3.0
-[[observable]]
 figure = "retained_mass_kg"
 laboratory = 70e-6
 deviation = 3e-6

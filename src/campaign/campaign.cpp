@@ -38,7 +38,6 @@ class Group {
   /// Collective in the group. False when it was stopped before all runs were drawn.
   bool work(std::span<const StudyRun> runs, std::span<const std::size_t> order) {
     while (true) {
-      if (watch_ != nullptr) watch_->look();
       const std::int64_t drawn = draw();
       if (drawn >= std::ssize(order)) return true;
       if (!do_run(runs[order[static_cast<std::size_t>(drawn)]])) return false;

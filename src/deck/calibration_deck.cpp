@@ -1,5 +1,6 @@
 #include "deck/calibration_deck.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -83,6 +84,20 @@ void check_points(const CalibrationDeck& deck, DeckErrors& errors) {
   }
 }
 
+/// What is meant to be run ends before this.
+void check_number_of_runs(const CalibrationDeck& deck, DeckErrors& errors) {
+  constexpr double most = 1e6;
+  double points = 1.0;
+  for (const ParameterDeck& p : deck.study.parameters) {
+    points *=
+        p.points > 0 ? static_cast<double>(p.points) : static_cast<double>(std::max<std::size_t>(1, p.values.size()));
+  }
+  if (!deck.points.empty()) points = static_cast<double>(deck.points.size());
+  if (deck.adaptive.enabled) points = static_cast<double>(deck.adaptive.budget);
+  const double runs = points * static_cast<double>(deck.study.seeds);
+  if (runs > most) errors.add("parameter", fmt::format("these are {:.3g} runs; at most {:.0g} are taken", runs, most));
+}
+
 void check_observables(const CalibrationDeck& deck, DeckErrors& errors) {
   for (std::size_t i = 0; i < deck.observables.size(); ++i) {
     const ObservableDeck& o = deck.observables[i];
@@ -114,6 +129,7 @@ CalibrationDeck read_calibration_deck(const std::string& text, const std::string
   check_study(deck.study, errors);
   check_points(deck, errors);
   check_observables(deck, errors);
+  check_number_of_runs(deck, errors);
   const AdaptiveDeck& a = deck.adaptive;
   if (a.enabled && a.budget < a.start) {
     errors.add("adaptive.budget", fmt::format("\"budget\" = {} must be at least \"start\" = {}", a.budget, a.start));

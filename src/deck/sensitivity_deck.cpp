@@ -40,6 +40,10 @@ SensitivityDeck read_sensitivity_deck(const std::string& text, const std::string
     if (p.points > 0 || !p.values.empty()) errors.add(section, "\"points\" and \"values\" belong to a calibration");
     if (std::isnan(p.fixed)) errors.add(section, "[[parameter]] lacks \"fixed\" (its value while another changes)");
   }
+  constexpr std::int64_t most = 100000;
+  if (deck.study.seeds > most || deck.morris.trajectories > most || deck.morris.levels > most) {
+    errors.add("seeds", fmt::format("at most {} seeds, trajectories and levels are taken", most));
+  }
   if (deck.morris.levels % 2 != 0) errors.add("morris.levels", "\"levels\" must be even");
   errors.throw_first();
   return deck;

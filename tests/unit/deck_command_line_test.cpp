@@ -61,10 +61,24 @@ TEST(ParseCommandLine, Measure) {
   EXPECT_EQ(parse({"measure", "a.csv", "--deck", "deck.toml"}).output, "");
 }
 
+TEST(ParseCommandLine, Studies) {
+  const CommandLine line = parse({"calibrate", "c.toml", "--output", "out", "--set", "a=1", "--time-limit", "01:00:00"});
+  EXPECT_EQ(line.action, Action::calibrate);
+  EXPECT_EQ(line.deck, "c.toml");
+  EXPECT_EQ(line.overrides, std::vector<std::string>{"a=1"});
+  EXPECT_EQ(line.time_limit, 3600.0);
+  EXPECT_EQ(parse({"sensitivity", "s.toml", "--output", "out"}).action, Action::sensitivity);
+  const CommandLine again = parse({"estimate", "results", "--deck", "c.toml"});
+  EXPECT_EQ(again.action, Action::estimate);
+  EXPECT_EQ(again.file, "results");
+  EXPECT_EQ(again.deck, "c.toml");
+  EXPECT_EQ(parse({"estimate", "results"}).deck, "");
+}
+
 TEST(ParseCommandLine, HelpIsText) {
   const CommandLine help = parse({"--help"});
   EXPECT_EQ(help.action, Action::none);
-  for (const char* word : {"run", "check", "measure", "keys", "--version"})
+  for (const char* word : {"run", "check", "measure", "calibrate", "estimate", "sensitivity", "keys", "--version"})
     EXPECT_NE(help.text.find(word), std::string::npos) << word;
   const CommandLine run = parse({"run", "--help"});
   EXPECT_EQ(run.action, Action::none);

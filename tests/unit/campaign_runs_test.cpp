@@ -1,0 +1,121 @@
+// Which runs a study has, what they are called, who does them and in which order.
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "campaign/expected_cost.h"
+#include "campaign/rank_groups.h"
+#include "campaign/run_list.h"
+#include "deck/calibration_deck.h"
+
+namespace repose::test {
+namespace {
+
+ParameterDeck parameter(const std::string& name, const std::string& key, double min, double max) {
+  ParameterDeck p;
+  p.name = name;
+  p.key = key;
+  p.min = min;
+  p.max = max;
+  return p;
+}
+
+StudyDeck study() {
+  StudyDeck s;
+  s.seeds = 2;
+  s.first_seed = 5;
+  s.set = {"time.step=1e-6"};
+  s.parameters = {parameter("sliding", "pair.0.sliding_friction", 0.1, 0.9),
+                  parameter("e", "pair.0.restitution", 0.2, 0.8)};
+  return s;
+}
+
+TEST(RunList, AllSeedsAtEachPoint) {
+  const std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}, {0.9, 0.8}});
+  ASSERT_EQ(runs.size(), 4U);
+  EXPECT_EQ(runs[1].name, "sliding=0.1,e=0.2,seed=6");
+  EXPECT_EQ(runs[2].name, "sliding=0.9,e=0.8,seed=5");
+  EXPECT_EQ(runs[2].overrides, (std::vector<std::string>{"time.step=1e-6", "pair.0.sliding_friction=0.9",
+                                                         "pair.0.restitution=0.8", "run.seed=5"}));
+}
+
+TEST(RunList, APointAgainGetsTheNextSeeds) {
+  const std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}, {0.3, 0.2}, {0.1, 0.2}});
+  ASSERT_EQ(runs.size(), 6U);
+  EXPECT_EQ(runs[4].name, "sliding=0.1,e=0.2,seed=7");
+  EXPECT_EQ(runs[5].seed, 8);
+}
+
+TEST(RunList, FoldersTellTheirRuns) {
+  const auto folder = std::filesystem::temp_directory_path() / "repose_run_list_test";
+  std::filesystem::remove_all(folder);
+  for (const StudyRun& run : runs_at(study(), {{0.1, 1e-7}, {1.0 / 3.0, 0.8}})) {
+    std::filesystem::create_directories(folder / run.name);
+  }
+  for (const char* other : {"sliding=0.1,seed=1", "sliding=0.1,e=x,seed=1", "notes", "sliding=0.1,e=0.2,seed=1.5",
+                            "sliding=0.10,e=0.2,seed=1", "sliding=0.1,e=0.2,seed=1,more=2"}) {
+    std::filesystem::create_directories(folder / other);
+  }
+  const std::vector<StudyRun> runs = runs_in(folder, study());
+  ASSERT_EQ(runs.size(), 4U);
+  EXPECT_EQ(runs[0].values, (std::vector<double>{0.1, 1e-7}));
+  EXPECT_EQ(runs[0].seed, 5);
+  EXPECT_EQ(runs[1].seed, 6);
+  EXPECT_EQ(runs[2].values[0], 1.0 / 3.0);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(RankGroups, AsManyAsThereIsWorkFor) {
+  EXPECT_EQ(group_count(8, 1, 100), 8);
+  EXPECT_EQ(group_count(8, 3, 100), 2);
+  EXPECT_EQ(group_count(2, 16, 100), 1);
+  EXPECT_EQ(group_count(8, 1, 3), 3);
+  EXPECT_EQ(group_count(8, 1, 0), 1);
+}
+
+TEST(RankGroups, SuccessiveRanksEvenly) {
+  std::vector<int> sizes(3);
+  int before = 0;
+  for (int rank = 0; rank < 8; ++rank) {
+    const int group = group_of(rank, 8, 3);
+    EXPECT_GE(group, before);
+    before = group;
+    ++sizes.at(static_cast<std::size_t>(group));
+  }
+  for (const int size : sizes) EXPECT_TRUE(size == 2 || size == 3);
+}
+
+TEST(ExpectedCost, LongestFirstAndWhatIsNotKnownBefore) {
+  const std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}, {0.5, 0.2}, {0.9, 0.2}});
+  std::vector<RunRecord> records(6);
+  EXPECT_EQ(longest_first(runs, records, study().parameters), (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));
+  records[0] = {RunState::done, "", {}, "", 10.0, 1, 0};
+  records[4] = {RunState::plugged, "", {}, "", 5.0, 4, 0};
+  EXPECT_EQ(longest_first(runs, records, study().parameters), (std::vector<std::size_t>{5, 1, 2, 3}));
+}
+
+CalibrationDeck grid() {
+  CalibrationDeck deck;
+  deck.study = study();
+  deck.study.parameters[0].points = 3;
+  deck.study.parameters[1].values = {0.2, 0.8};
+  return deck;
+}
+
+TEST(PointsOf, TheLastParameterIsTheFastest) {
+  const std::vector<std::vector<double>> expected = {{0.1, 0.2}, {0.1, 0.8}, {0.5, 0.2},
+                                                     {0.5, 0.8}, {0.9, 0.2}, {0.9, 0.8}};
+  EXPECT_EQ(points_of(grid()), expected);
+}
+
+TEST(PointsOf, AListOrNoneInASearch) {
+  CalibrationDeck deck = grid();
+  deck.points = {{{0.3, 0.3}}};
+  EXPECT_EQ(points_of(deck), (std::vector<std::vector<double>>{{0.3, 0.3}}));
+  deck.adaptive.enabled = true;
+  EXPECT_TRUE(points_of(deck).empty());
+}
+
+}  // namespace
+}  // namespace repose::test

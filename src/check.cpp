@@ -18,6 +18,28 @@ constexpr double bytes_per_particle = 1000.0;
 constexpr double bytes_per_rank = 60e6;  // the program and its libraries
 constexpr double particle_steps_per_second_and_rank = 8e6;
 
+/// What a run would begin with.
+struct Plan {
+  Plan(const Deck& deck, const ReadFile& read_file)
+      : materials(deck),
+        walls(make_walls(deck, materials, read_file)),
+        insertion(insert_particles_of(deck, walls, read_file)) {
+    const SmallestRadii radii = smallest_radii(insertion, materials.size());
+    dt = choose_time_step(deck, materials, radii, expected_speed(deck, insertion.now));
+    check_wall_speeds(deck, walls, materials, radii, dt.step);
+  }
+  MaterialTable materials;
+  std::vector<Wall> walls;
+  Insertion insertion;
+  TimeStep dt;
+};
+
+double most_steps(const Deck& deck, const TimeStep& dt) {
+  double steps = 0.0;
+  for (const PhaseDeck& phase : deck.phases) steps += static_cast<double>(longest_steps(phase, dt.step));
+  return steps;
+}
+
 std::string limits_text(const Deck& deck, const TimeStep& dt) {
   if (deck.contact.normal_law == NormalLaw::hooke) {
     return fmt::format("limits      {:.4g} s Hooke ({:.0f} %)\n", dt.hooke_limit, 100.0 * deck.time.hooke_fraction);
@@ -30,12 +52,8 @@ std::string limits_text(const Deck& deck, const TimeStep& dt) {
 }  // namespace
 
 std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks) {
-  const MaterialTable materials(deck);
-  const std::vector<Wall> walls = make_walls(deck, materials, read_file);
-  const Insertion insertion = insert_particles_of(deck, walls, read_file);
-  const SmallestRadii radii = smallest_radii(insertion, materials.size());
-  const TimeStep dt = choose_time_step(deck, materials, radii, expected_speed(deck, insertion.now));
-  check_wall_speeds(deck, walls, materials, radii, dt.step);
+  const Plan plan(deck, read_file);
+  const auto& [materials, walls, insertion, dt] = plan;
   const auto count = static_cast<double>(insertion.planned);
 
   std::string report =
@@ -53,13 +71,12 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   report += fmt::format("time step   {:.6g} s, {}\n", dt.step,
                         dt.criterion == "given" ? "given in the deck" : "set by the " + dt.criterion + " criterion");
   report += limits_text(deck, dt);
-  double steps = 0.0;
+  const double steps = most_steps(deck, dt);
   for (const PhaseDeck& phase : deck.phases) {
     const auto longest = static_cast<double>(longest_steps(phase, dt.step));
     const bool open_end = phase.until == PhaseUntil::kinetic_energy;
     report += fmt::format("phase       {}: {}{:.0f} steps ({:.4g} s)\n", phase.name, open_end ? "at most " : "",
                           longest, longest * dt.step);
-    steps += longest;
   }
   report += fmt::format("steps       {:.0f}\n", steps);
   report += fmt::format("memory      about {:.0f} MB\n", 1e-6 * (count * bytes_per_particle + ranks * bytes_per_rank));
@@ -67,6 +84,11 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
                         duration_text(count * steps / (particle_steps_per_second_and_rank * ranks)), ranks,
                         ranks == 1 ? "" : "s");
   return report;
+}
+
+double most_particle_steps(const Deck& deck, const ReadFile& read_file) {
+  const Plan plan(deck, read_file);
+  return static_cast<double>(plan.insertion.planned) * most_steps(deck, plan.dt);
 }
 
 }  // namespace repose

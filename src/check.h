@@ -11,4 +11,7 @@ namespace repose {
 /// ranks; as lines for a person. Sets the scene up but runs nothing. DeckError as a run would.
 std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks);
 
+/// Particles times steps of a run whose every phase takes its longest. DeckError as for a run.
+double most_particle_steps(const Deck& deck, const ReadFile& read_file);
+
 }  // namespace repose

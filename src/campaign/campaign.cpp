@@ -1,5 +1,6 @@
 #include "campaign/campaign.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "campaign/campaign_watch.h"
 #include "campaign/expected_cost.h"
 #include "campaign/rank_groups.h"
+#include "check.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "output/agreement.h"
@@ -108,13 +110,30 @@ std::vector<RunRecord> records_of(const CampaignPlan& plan, std::span<const Stud
   return records;
 }
 
+/// Particles times steps; alike for all runs that differ in the laws of the contacts alone. What cannot be set up will
+/// say so when it is run.
+double work_of(const CampaignPlan& plan, const StudyRun& run) {
+  const std::vector<ParameterDeck>& parameters = plan.study.parameters;
+  const auto is_of_pair = [](const ParameterDeck& p) { return p.key.starts_with("pair."); };
+  if (std::all_of(parameters.begin(), parameters.end(), is_of_pair)) return 1.0;
+  try {
+    const Deck deck = read_deck(read_whole_file(plan.base), plan.base, run.overrides);
+    return most_particle_steps(deck, [&](const std::string& name) {
+      return read_whole_file((std::filesystem::path(plan.base).parent_path() / name).string());
+    });
+  } catch (const Error&) {
+    return 0.0;
+  }
+}
+
 /// Collective. The runs to do, the same on all ranks.
 std::vector<std::size_t> shared_order(const Communicator& world, const CampaignPlan& plan,
                                       std::span<const StudyRun> runs) {
   std::vector<std::size_t> order;
   agree_after_root(world, [&] {
     create_output_directory(plan.directory);
-    order = longest_first(runs, records_of(plan, runs), plan.study.parameters);
+    order = longest_first(runs, records_of(plan, runs), plan.study.parameters,
+                          [&](const StudyRun& run) { return work_of(plan, run); });
   });
   auto count = static_cast<std::int64_t>(order.size());
   world.broadcast(count);

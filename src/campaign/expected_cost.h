@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -8,10 +9,13 @@
 
 namespace repose {
 
+/// The work of a run before anything is known of it, such as particles times steps.
+using WorkOf = std::function<double(const StudyRun&)>;
+
 /// The runs that wait, the one expected to take longest first: a long one begun last would leave the other groups idle.
-/// A run is expected to cost what the nearest complete run has, in rank-seconds; the distance is measured in the ranges
-/// of the parameters. What nothing is known of keeps its order, and comes first.
+/// A run is expected to take its work at the speed of the nearest complete run; distances are in the ranges of the
+/// parameters. Runs that are expected to take as long keep their order.
 std::vector<std::size_t> longest_first(std::span<const StudyRun> runs, std::span<const RunRecord> records,
-                                       std::span<const ParameterDeck> parameters);
+                                       std::span<const ParameterDeck> parameters, const WorkOf& work_of);
 
 }  // namespace repose

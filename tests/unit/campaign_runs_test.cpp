@@ -86,13 +86,25 @@ TEST(RankGroups, SuccessiveRanksEvenly) {
   for (const int size : sizes) EXPECT_TRUE(size == 2 || size == 3);
 }
 
-TEST(ExpectedCost, LongestFirstAndWhatIsNotKnownBefore) {
+using Order = std::vector<std::size_t>;
+
+TEST(ExpectedCost, ByWorkUntilMoreIsKnown) {
+  const std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}, {0.5, 0.2}, {0.9, 0.2}});
+  const std::vector<RunRecord> records(6);
+  EXPECT_EQ(longest_first(runs, records, study().parameters, [](const StudyRun&) { return 1.0; }),
+            (Order{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(longest_first(runs, records, study().parameters, [](const StudyRun& run) { return 10.0 * run.values[0]; }),
+            (Order{4, 5, 2, 3, 0, 1}));
+}
+
+TEST(ExpectedCost, AtTheSpeedOfTheNearestCompleteRun) {
   const std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}, {0.5, 0.2}, {0.9, 0.2}});
   std::vector<RunRecord> records(6);
-  EXPECT_EQ(longest_first(runs, records, study().parameters), (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));
   records[0] = {RunState::done, "", {}, "", 10.0, 1, 0};
   records[4] = {RunState::plugged, "", {}, "", 5.0, 4, 0};
-  EXPECT_EQ(longest_first(runs, records, study().parameters), (std::vector<std::size_t>{5, 1, 2, 3}));
+  EXPECT_EQ(longest_first(runs, records, study().parameters, [](const StudyRun&) { return 7.0; }), (Order{5, 1, 2, 3}));
+  records[4].wall_seconds = 1.0;
+  EXPECT_EQ(longest_first(runs, records, study().parameters, [](const StudyRun&) { return 7.0; }), (Order{1, 2, 3, 5}));
 }
 
 CalibrationDeck grid() {

@@ -25,7 +25,8 @@ enum class RandomStream : std::uint32_t {
   insertion_jitter = 0,
   particle_size = 1,
   fill_position = 2,
-  pour_position = 3
+  pour_position = 3,
+  transient_noise = 16
 };
 
 /// The k-th number of a particle in a stream, uniform in [0, 1) with 53 bits. A function of its arguments alone, so

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "thermal/student.h"
+
 namespace repose::thermal {
 namespace {
 
@@ -27,11 +29,13 @@ double greatest_jump(const std::vector<double>& residual, double rise) {
 }
 
 Criterion drift(const Transient& t, const TpsLimits& limits) {
-  Criterion c{"drift",
-              false,
-              {},
-              fmt::format("recorded for {} s before time 0, and over the transient's time at most {} of the rise",
-                          limits.drift_duration, limits.max_drift)};
+  Criterion c{
+      "drift",
+      false,
+      {},
+      fmt::format(
+          "recorded for {} s before time 0; over the transient's time at most {} of the rise, or not significant",
+          limits.drift_duration, limits.max_drift)};
   constexpr std::size_t fewest = 10;
   // Samples at a constant rate: the first of them is a step after the beginning of the record at the latest.
   const double recorded = t.idle_time.size() < fewest
@@ -39,8 +43,10 @@ Criterion drift(const Transient& t, const TpsLimits& limits) {
                               : (t.idle_time.back() - t.idle_time.front()) * static_cast<double>(t.idle_time.size()) /
                                     static_cast<double>(t.idle_time.size() - 1);
   if (recorded < limits.drift_duration * (1.0 - 1e-9)) return c;
-  c.value = std::abs(slope_of(t.idle_time, t.idle_rise)) * t.time.back() / std::abs(t.rise.back());
-  c.is_met = *c.value <= limits.max_drift;
+  const Slope slope = slope_of(t.idle_time, t.idle_rise);
+  c.value = std::abs(slope.value) * t.time.back() / std::abs(t.rise.back());
+  const double significant = student_quantile(0.9995, static_cast<double>(t.idle_time.size()) - 2.0);
+  c.is_met = *c.value <= limits.max_drift || std::abs(slope.value) <= significant * slope.standard_error;
   return c;
 }
 
@@ -53,7 +59,7 @@ Criterion not_below(const char* name, double value, double limit, const std::str
 
 }  // namespace
 
-double slope_of(const std::vector<double>& time, const std::vector<double>& rise) {
+Slope slope_of(const std::vector<double>& time, const std::vector<double>& rise) {
   const double mean_time = mean_of(time);
   const double mean_rise = mean_of(rise);
   double product = 0.0;
@@ -62,7 +68,13 @@ double slope_of(const std::vector<double>& time, const std::vector<double>& rise
     product += (time[i] - mean_time) * (rise[i] - mean_rise);
     square += (time[i] - mean_time) * (time[i] - mean_time);
   }
-  return product / square;
+  const double slope = product / square;
+  double misfit = 0.0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double residual = rise[i] - mean_rise - slope * (time[i] - mean_time);
+    misfit += residual * residual;
+  }
+  return {slope, std::sqrt(misfit / (static_cast<double>(time.size()) - 2.0) / square)};
 }
 
 double runs_deviate(const std::vector<double>& residual) {

@@ -81,11 +81,10 @@ double best_log_diffusivity(const Line& line, const TpsSetup& setup, const std::
   }
   iterations = steps + 1;
   if (best == 0 || best == steps) {
-    throw DeckError(
-        fmt::format("{}: the points do not determine the diffusivity: the line is straightest where the "
-                    "last of them has tau {} {}; {}",
-                    name, best == 0 ? "<=" : ">=", best == 0 ? lowest_tau : highest_tau,
-                    best == 0 ? "measure for longer" : "measure for a shorter time"));
+    throw DeckError(fmt::format(
+        "{}: the points do not determine the diffusivity: the line is straightest where the "
+        "last of them has tau {} {}; measure for {}, or leave out more points at the beginning",
+        name, best == 0 ? "<=" : ">=", best == 0 ? lowest_tau : highest_tau, best == 0 ? "longer" : "a shorter time"));
   }
   constexpr double golden = 0.6180339887498949;
   double a = low + (best - 1) * step;

@@ -38,17 +38,20 @@ bool has(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Good transients of both samples, with and without contact: at most the false alarms that the limits allow for, 0.1 %
-/// of the patterns, so with more than 4 in 800 the bound is wrong.
+/// Good transients of both samples, with and without contact: no more than the false alarms that the limits allow for,
+/// 0.1 % each of the patterns and of the drifts. 0.4 of 200 seeds are expected, each for up to four samples that share
+/// its noise; more than two seeds have a chance of 1 %.
 TEST(Criteria, AreMetByGoodTransients) {
   int alarms = 0;
   for (Sample sample : {steel(), grains(), with_contact(steel()), with_contact(grains())}) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
       sample.measurement.seed = seed;
-      alarms += broken(sample).empty() ? 0 : 1;
+      const Names names = broken(sample);
+      for (const std::string& name : names) std::printf("seed %d: %s\n", static_cast<int>(seed), name.c_str());
+      alarms += names.empty() ? 0 : 1;
     }
   }
-  EXPECT_LE(alarms, 4);
+  EXPECT_LE(alarms, 8);
 }
 
 TEST(Criteria, Drift) {

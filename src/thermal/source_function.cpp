@@ -1,22 +1,15 @@
 #include "thermal/source_function.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/math.h"
+#include "thermal/gauss.h"
 
 namespace repose::thermal {
 namespace {
 
 constexpr std::size_t cells = 4000;
-
-/// Gauss-Legendre with 5 nodes on [0, 1] (Abramowitz and Stegun, table 25.4).
-constexpr std::array<std::array<double, 2>, 5> gauss = {{{0.0469100770306680, 0.1184634425280945},
-                                                         {0.2307653449471585, 0.2393143352496832},
-                                                         {0.5, 0.2844444444444444},
-                                                         {0.7692346550528415, 0.2393143352496832},
-                                                         {0.9530899229693320, 0.1184634425280945}}};
 
 double asymptotic(int order, double z) {
   const double mu = 4.0 * order * order;
@@ -90,7 +83,7 @@ SourceFunction::SourceFunction(std::int64_t rings, double cutoff)
     const double begin = first_log_ + step_ * static_cast<double>(i);
     value_.push_back(sum);
     log_slope_.push_back(log_slope(begin));
-    for (const auto& [node, weight] : gauss) sum += weight * step_ * log_slope(begin + node * step_);
+    sum += gauss_integral(begin, begin + step_, log_slope);
   }
 }
 

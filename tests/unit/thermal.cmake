@@ -6,3 +6,4 @@ repose_test(thermal_tools LABEL unit
   SOURCES thermal_compare_test.cpp thermal_criteria_test.cpp thermal_mixture_test.cpp thermal_sensor_test.cpp
           thermal_transient_test.cpp
   LINK repose_thermal)
+repose_test(thermal_network LABEL analytic SOURCES thermal_network_test.cpp LINK repose_thermal)

@@ -39,7 +39,7 @@ double contact_conductance(const GrainPair& pair) {
 
 double gap_conductance(const GrainPair& pair, const GapFill& fill, double porosity) {
   const double half_gap = 0.5 * std::max(0.0, pair.gap);
-  const double mean_radius = 2.0 * pair.radius_1 * pair.radius_2 / (pair.radius_1 + pair.radius_2);
+  const double mean_radius = 0.5 * (pair.radius_1 + pair.radius_2);
   const double base = 0.560 * mean_radius / std::cbrt(1.0 - porosity);
   const Side first{pair.radius_1, pair.radius_1 + half_gap, base, pair.conductivity_1};
   const Side second{pair.radius_2, pair.radius_2 + half_gap, base, pair.conductivity_2};

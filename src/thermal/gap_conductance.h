@@ -30,9 +30,9 @@ double contact_conductance(const GrainPair& pair);
 
 /// Conductance in W/K through the gas around the contact, in columns along the line of centres: solid, gap, solid in
 /// series, inside the double cone that the pair's share of the bed is (T.17). Cheng, Yu and Zulli 1999,
-/// doi:10.1016/S0009-2509(99)00125-6, with the mean radius of the faces between Voronoi cells in a bed of `porosity` as
-/// Zhou, Yu and Zulli 2009 (AIChE Journal 55, 868) give it, 0.560 R (1 - porosity)^(-1/3). What fills the gap, and
-/// pairs of different radii, are additions (docs/theory-thermal.md).
+/// doi:10.1016/S0009-2509(99)00125-6, with the mean radius of the faces between Voronoi cells in a bed of `porosity`,
+/// 0.560 R (1 - porosity)^(-1/3), of Yang, Zou and Yu 2002, doi:10.1103/PhysRevE.65.041302. What fills the gap, and
+/// cones of different heights for grains of different radii, are additions (docs/theory-thermal.md).
 double gap_conductance(const GrainPair& pair, const GapFill& fill, double porosity);
 
 /// h_r in W/(m2 K) of two surfaces at `temperature` in K (T.18).

@@ -128,18 +128,21 @@ NetworkResult conduct(const std::vector<Grain>& grains, const std::vector<Link>&
   const std::vector<double> temperature = temperatures_of(grains, links, conductance, roles, box.axis);
   const auto count = [&](Role role) { return static_cast<std::size_t>(std::count(roles.begin(), roles.end(), role)); };
   NetworkResult result{.held = count(Role::held), .free = count(Role::free), .floating = count(Role::floating)};
+  const auto is_held_at = [&](std::size_t grain, int face) {
+    const bool is_below = grains[grain].centre[box.axis] <= box.min[box.axis];
+    return roles[grain] == Role::held && is_below == (face == 0);
+  };
   double flux = 0.0;
-  double heat[2] = {0.0, 0.0};  // through the cold and the hot face
+  double heat[2] = {0.0, 0.0};  // into the cold held grains, out of the hot ones
   for (std::size_t l = 0; l < links.size(); ++l) {
     const Link& link = links[l];
     const double along = link.difference[box.axis];
     const double power = conductance[l] * (temperature[link.second] - temperature[link.first]);  // (T.20)
     flux += power * along * share_inside(grains[link.first].centre, link.difference, box, periods);
+    // Out of the hot held grains and into the cold ones, wherever they are.
     for (const int face : {0, 1}) {
-      const double plane = face == 0 ? box.min[box.axis] : box.max[box.axis];
-      const bool first_is_below = grains[link.first].centre[box.axis] <= plane;
-      const bool second_is_below = grains[link.first].centre[box.axis] + along <= plane;
-      if (first_is_below != second_is_below) heat[face] += first_is_below ? power : -power;
+      const bool first = is_held_at(link.first, face);
+      if (first != is_held_at(link.second, face)) heat[face] += first == (face == 0) ? power : -power;
     }
   }
   result.conductivity = flux / volume_of(box);  // (T.21) for 1 K/m

@@ -35,7 +35,7 @@ struct NetworkDeck {
   std::string title;
   std::vector<HeatMaterial> materials;
   NetworkBoxDeck box;
-  double max_gap = 0.5;
+  double max_gap = 1.0;
   double pressure = 101325.0;  ///< Pa
   TemperatureRange temperature;
   double shape_factor = 1.25;

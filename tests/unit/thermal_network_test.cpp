@@ -220,15 +220,17 @@ std::string csv_of(const std::vector<Grain>& grains) {
   return text;
 }
 
-/// The whole tool on simple and face-centred cubic beds in a CSV: factor C/d with the conductance of one contact and
-/// the gas around it, at each temperature.
+/// The whole tool on simple and face-centred cubic beds in a CSV, at each temperature. By hand: in a lattice of n
+/// grains per volume with links of conductance C that reach z far, k = n/2 sum C z^2 over the links of a grain. Beside
+/// the contacts (C_1) the second neighbours, sqrt(2) d away, conduct through their gap (C_2): 8 with z = d in the
+/// simple cubic bed, 2 with z = a in the face-centred one.
 TEST(NetworkTool, OfCubicBedsIsAsByHand) {
   for (const std::size_t which : {std::size_t{0}, std::size_t{2}}) {
     const Lattice l = lattices()[which];
-    std::vector<Grain> grains = lattice(l.edge, l.basis, 4, 10);
+    std::vector<Grain> grains = lattice(l.edge, l.basis, 5, 10);
     const double radius = 0.5 * d + 1e-8;  // an overlap of 20 nm
     for (Grain& g : grains) g.radius = radius;
-    const MeasuringBox box = box_of(l.edge, 4, 10);
+    const MeasuringBox box = box_of(l.edge, 5, 10);
     const auto corner = [](const Point& p) { return fmt::format("[{}, {}, {}]", p[0], p[1], p[2]); };
     const Json bed =
         network_tool(example("thermal_network.toml",
@@ -236,19 +238,25 @@ TEST(NetworkTool, OfCubicBedsIsAsByHand) {
                              {{"bed.csv", csv_of(grains)}}))
             .json["beds"][0];
     EXPECT_NEAR(bed["porosity"].get<double>(), 1.0 - l.solid, 2e-3);
+    EXPECT_NEAR(bed["contacts_per_grain"].get<double>(), l.contacts, 0.15 * l.contacts);  // fewer at both ends
     EXPECT_EQ(bed["conductivity"].size(), 3U);
     for (const Json& row : bed["conductivity"]) {
       const double t = row["temperature_K"].get<double>();
       const Gas gas = air_at(t, 101325.0);
-      const GrainPair pair{.radius_1 = radius,
-                           .radius_2 = radius,
-                           .conductivity_1 = 2.0,
-                           .conductivity_2 = 2.0,
-                           .gap = -2e-8,
-                           .contact_radius = contact_radius(radius, radius, 2e-8, 5e6 / 70e9)};
+      GrainPair pair{.radius_1 = radius,
+                     .radius_2 = radius,
+                     .conductivity_1 = 2.0,
+                     .conductivity_2 = 2.0,
+                     .gap = -2e-8,
+                     .contact_radius = contact_radius(radius, radius, 2e-8, 5e6 / 70e9)};
       const GapFill fill{gas.conductivity, modified_free_path(gas), radiative_coefficient(t, 0.9, 0.9)};
-      const double c = contact_conductance(pair) + gap_conductance(pair, fill, bed["porosity"].get<double>());
-      EXPECT_NEAR(row["conductivity_W_mK"].get<double>() / (l.factor * c / d), 1.0, 1e-6) << l.name << t;
+      const double porosity = bed["porosity"].get<double>();
+      const double first = contact_conductance(pair) + gap_conductance(pair, fill, porosity);
+      pair.gap = std::sqrt(2.0) * d - 2.0 * radius;
+      pair.contact_radius = 0.0;
+      const double second = gap_conductance(pair, fill, porosity);
+      const double by_hand = which == 0 ? (first + 4.0 * second) / d : 4.0 * (first + second) / l.edge;
+      EXPECT_NEAR(row["conductivity_W_mK"].get<double>() / by_hand, 1.0, 1e-6) << l.name << t;
       EXPECT_NEAR(row["heat_imbalance"].get<double>(), 0.0, 1e-8);
     }
   }

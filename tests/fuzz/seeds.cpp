@@ -14,7 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const validation = "validation.toml";  // the only one in input/ that is no deck
+const char* const validation = "validation.toml";
+
+/// Those of repose thermal are decks of another kind.
+bool is_deck_of_a_run(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return path.extension() == ".toml" && name != validation && name.rfind("thermal_", 0) != 0;
+}
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -38,8 +44,7 @@ class Seeds {
 
 void add_decks(const fs::path& input, const Seeds& seeds) {
   for (const auto& entry : fs::directory_iterator(input)) {
-    if (entry.path().extension() != ".toml" || entry.path().filename() == validation) continue;
-    seeds.add(entry.path().filename(), text_of(entry.path()));
+    if (is_deck_of_a_run(entry.path())) seeds.add(entry.path().filename(), text_of(entry.path()));
   }
   seeds.add("overrides", text_of(input / "discharge_quick.toml") +
                              "\n--set particles.0.mass=0.05 g\n--set phase.settle.max_time=0.3\n--set run.title=a");

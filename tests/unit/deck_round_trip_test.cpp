@@ -93,9 +93,11 @@ TEST(RoundTrip, Example) { expect_round_trip(read_deck(example_deck, "deck.toml"
 TEST(RoundTrip, EveryDeckOfTheInputFolder) {
   int decks = 0;
   for (const auto& entry : std::filesystem::directory_iterator(input)) {
-    if (entry.path().extension() != ".toml" || entry.path().filename() == "validation.toml") continue;  // no deck
+    const std::string name = entry.path().filename().string();
+    // Those of repose validate and repose thermal are decks of another kind.
+    if (entry.path().extension() != ".toml" || name == "validation.toml" || name.starts_with("thermal_")) continue;
     SCOPED_TRACE(entry.path());
-    expect_round_trip(read_deck(text_of(entry.path()), entry.path().filename().string(), {}));
+    expect_round_trip(read_deck(text_of(entry.path()), name, {}));
     ++decks;
   }
   EXPECT_GT(decks, 0);

@@ -4,7 +4,7 @@
 /// corrected in docs/theory-thermal.md after VDI Heat Atlas D6.3. All lambdas are ratios to the gas's conductivity.
 namespace repose::thermal {
 
-/// Porosity from the bulk density and the density of the grains, both in kg/m3 (B.0).
+/// Porosity from the bulk density and the density of the grains, both in kg/m3 (T.0).
 constexpr double porosity_of(double bulk_density, double particle_density) {
   return 1.0 - bulk_density / particle_density;
 }

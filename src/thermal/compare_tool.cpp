@@ -119,6 +119,8 @@ Json figure_json(const ComparedFigure& f, const std::vector<double>& a, const st
   if (bound == 0.0)
     throw DeckError(fmt::format("\"{}\": a relative bound needs a mean of A that is not 0; give a bound", f.column));
   const Equivalence e = compare_means(a, b, bound, significance);
+  if (!std::isfinite(e.low) || !std::isfinite(e.high))
+    throw DeckError(fmt::format("\"{}\": the values are beyond the range of double precision", f.column));
   const bool is_equivalent = e.p_equivalence < significance;
   const bool is_different = e.p_difference < significance;
   return {{"column", f.column},

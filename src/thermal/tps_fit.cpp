@@ -160,6 +160,14 @@ TpsFit fit_transient(const Transient& transient, const TpsSetup& setup, const So
                slope_variance + covariance(2, 2) + 2.0 * covariance(1, 2) / fit.slope + power + 9.0 * radius, t);
   const double end = line.time()[line.time().size() - 1];
   fit.characteristic = end * diffusivity / (setup.radius * setup.radius);
+  for (const Estimate& e : {fit.conductivity, fit.diffusivity, fit.volumetric_heat}) {
+    if (!std::isfinite(e.low) || !std::isfinite(e.high) || !(e.value > 0.0)) {
+      throw DeckError(
+          fmt::format("{}: the points give no finite figures: they leave slope and diffusivity undetermined, "
+                      "or are beyond the range of double precision",
+                      name));
+    }
+  }
   return fit;
 }
 

@@ -1,5 +1,6 @@
 // Writes what the fuzzers begin with: fuzz_seeds INPUT_FOLDER FOLDER makes FOLDER/TARGET/* and the dictionary
 // FOLDER/deck.dict.
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -105,6 +106,20 @@ void add_states(const Seeds& seeds) {
 "motions": [{"clocks": [{"steps": 7, "runs": true}, {"steps": 0, "runs": false}]}]}})");
 }
 
+void add_thermal_files(const Seeds& seeds) {
+  std::string transient = "--file\ntime,temperature,power\n-2,0.001,0\n-1,0,0\n";
+  for (int i = 1; i < 40; ++i) {  // not far from that of a disc
+    const double t = 0.125 * i;
+    transient += std::to_string(t) + "," + std::to_string(2.0 * std::sqrt(t) - 0.3 * t) + ",1.5\n";
+  }
+  seeds.add("transient", transient);
+  seeds.add("resistance", "--file\ntime,resistance\n1,10.1\n2,10.2\n");
+  seeds.add("repeats", "--file\nmass,angle\n21.9,32\n21.8,\n22,33\n");
+  seeds.add("deck",
+            "[[figure]]\ncolumn = \"a\"\nrelative_bound = 0.1\n[orifice]\ndiameter = \"5 mm\"\n"
+            "expansion = \"1e-5 1/K\"\nhot = \"900 K\"\nsmallest_grain = \"0.2 mm\"\n--file\na\n1\n2\n");
+}
+
 /// Every word of `repose keys` that is a key, a section or a choice.
 std::string dictionary() {
   std::set<std::string> words;
@@ -137,6 +152,7 @@ int main(int argc, char** argv) {
   add_snapshots(Seeds(folder / "snapshot"));
   add_checkpoints(Seeds(folder / "checkpoint"));
   add_states(Seeds(folder / "state"));
+  add_thermal_files(Seeds(folder / "thermal"));
   std::ofstream(folder / "deck.dict") << dictionary();
   return 0;
 }

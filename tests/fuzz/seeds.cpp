@@ -108,12 +108,15 @@ void add_states(const Seeds& seeds) {
 
 void add_thermal_files(const Seeds& seeds) {
   std::string transient = "--file\ntime,temperature,power\n-2,0.001,0\n-1,0,0\n";
+  std::string resistance = "--file\ntime,resistance\n";
   for (int i = 1; i < 40; ++i) {  // not far from that of a disc
     const double t = 0.125 * i;
-    transient += std::to_string(t) + "," + std::to_string(2.0 * std::sqrt(t) - 0.3 * t) + ",1.5\n";
+    const double rise = 2.0 * std::sqrt(t) - 0.3 * t;
+    transient += std::to_string(t) + "," + std::to_string(rise) + ",1.5\n";
+    resistance += std::to_string(t) + "," + std::to_string(10.0 * (1.0 + 0.005 * rise)) + "\n";
   }
   seeds.add("transient", transient);
-  seeds.add("resistance", "--file\ntime,resistance\n1,10.1\n2,10.2\n");
+  seeds.add("resistance", resistance);
   seeds.add("repeats", "--file\nmass,angle\n21.9,32\n21.8,\n22,33\n");
   seeds.add("deck",
             "[[figure]]\ncolumn = \"a\"\nrelative_bound = 0.1\n[orifice]\ndiameter = \"5 mm\"\n"

@@ -9,7 +9,7 @@
 namespace repose::thermal {
 namespace {
 
-constexpr std::size_t cells = 4000;
+constexpr std::size_t cells = 1000;
 
 double asymptotic(int order, double z) {
   const double mu = 4.0 * order * order;
@@ -102,7 +102,10 @@ double SourceFunction::derivative(double tau) const {
   const double place = std::min((std::log(tau) - first_log_) / step_, static_cast<double>(cells));
   const auto i = std::min(static_cast<std::size_t>(place), cells - 1);
   const double x = place - static_cast<double>(i);
-  return ((1.0 - x) * log_slope_[i] + x * log_slope_[i + 1]) / tau;
+  const double y = 1.0 - x;
+  return (6.0 * x * y * (value_[i + 1] - value_[i]) / step_ + y * (1.0 - 3.0 * x) * log_slope_[i] +
+          x * (3.0 * x - 2.0) * log_slope_[i + 1]) /
+         tau;  // of the same cubic
 }
 
 }  // namespace repose::thermal

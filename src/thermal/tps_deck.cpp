@@ -10,7 +10,7 @@ void describe(V& v, SensorDeck& s) {
   v("radius", s.radius, Unit::metre, above(0), required, "of the heated disc");
   v("radius_deviation", s.radius_deviation, Unit::none, from_to_below(0, 1), optional, "relative standard deviation");
   const bool rings = s.type == SourceType::rings;
-  v("rings", s.rings, Unit::none, from_to(1, 100), optional.when(rings, "type = rings"), "number of rings");
+  v("rings", s.rings, Unit::none, from_to(1, 60), optional.when(rings, "type = rings"), "number of rings");
   v("cutoff", s.cutoff, Unit::none, from_to(SourceFunction::min_tau, 0.1), optional.when(rings, "type = rings"),
     "where the integral over sigma begins");
   v("resistance", s.thermometer.resistance, Unit::ohm, above(0), optional, "of the spiral at time 0");

@@ -46,10 +46,10 @@ struct Study {
   Figure volumetric_heat;
 };
 
-Study study_of(SyntheticTransient s, const SourceFunction& source) {
+Study study_of(SyntheticTransient s, const SourceFunction& source, std::uint64_t first_seed) {
   Study study;
   const Truth truth = truth_of(s);
-  for (s.seed = 1; s.seed <= seeds; ++s.seed) {
+  for (s.seed = first_seed; s.seed < first_seed + seeds; ++s.seed) {
     const TpsFit fit = fit_transient(synthesise(s, source), setup_of(s), source, "synthetic");
     study.conductivity.add(fit.conductivity, truth.conductivity);
     study.diffusivity.add(fit.diffusivity, truth.diffusivity);
@@ -75,14 +75,16 @@ void expect_unbiased(const Study& study) {
   }
 }
 
-TEST(TpsFit, IsUnbiasedAndCoversForSteel) { expect_unbiased(study_of(steel().measurement, rings())); }
-TEST(TpsFit, IsUnbiasedAndCoversForGrains) { expect_unbiased(study_of(grains().measurement, rings())); }
-TEST(TpsFit, IsUnbiasedAndCoversForADisc) { expect_unbiased(study_of(steel().measurement, SourceFunction::disc())); }
+TEST(TpsFit, IsUnbiasedAndCoversForSteel) { expect_unbiased(study_of(steel().measurement, rings(), 1)); }
+TEST(TpsFit, IsUnbiasedAndCoversForGrains) { expect_unbiased(study_of(grains().measurement, rings(), 1001)); }
+TEST(TpsFit, IsUnbiasedAndCoversForADisc) {
+  expect_unbiased(study_of(steel().measurement, SourceFunction::disc(), 2001));
+}
 
 /// The bounds of the issue for every seed, with the kapton of the thesis between spiral and sample.
 TEST(TpsFit, StandsTheContactOfTheSensor) {
   for (const Sample& sample : {with_contact(steel()), with_contact(grains())}) {
-    const Study study = study_of(sample.measurement, rings());
+    const Study study = study_of(sample.measurement, rings(), 3001);
     EXPECT_LT(study.conductivity.furthest, 0.02);
     EXPECT_LT(study.diffusivity.furthest, 0.05);
   }

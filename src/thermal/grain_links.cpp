@@ -15,7 +15,7 @@ namespace {
 class Cells {
  public:
   Cells(const std::vector<Grain>& grains, const Periods& periods, double reach) : periods_(periods) {
-    constexpr double most = 1000.0;  // cells in a direction: a few grains far away must not need memory for the space
+    constexpr double most = 1e6;  // cells in a direction, whose product is the number of a cell; none of them is stored
     for (std::size_t d = 0; d < 3; ++d) {
       const auto [low, high] = std::minmax_element(
           grains.begin(), grains.end(), [d](const Grain& a, const Grain& b) { return a.centre[d] < b.centre[d]; });

@@ -158,14 +158,17 @@ double porosity_in(const std::vector<Grain>& grains, const MeasuringBox& box, co
   double chords = 0.0;
   for (const Grain& g : grains) {
     // In a periodic direction a line beyond the box is one inside it, so no line is left out there.
-    long range[2][2];
+    long range[2][2] = {};
     for (const int a : {0, 1}) {
       const std::size_t d = across[static_cast<std::size_t>(a)];
-      range[a][0] = std::lround(std::ceil((g.centre[d] - g.radius - box.min[d]) / widths[a] - 0.5));
-      range[a][1] = std::lround(std::floor((g.centre[d] + g.radius - box.min[d]) / widths[a] - 0.5));
-      if (periods.length[d] > 0.0) continue;
-      range[a][0] = std::max(range[a][0], 0L);
-      range[a][1] = std::min(range[a][1], static_cast<long>(lines) - 1);
+      double first = std::ceil((g.centre[d] - g.radius - box.min[d]) / widths[a] - 0.5);
+      double last = std::floor((g.centre[d] + g.radius - box.min[d]) / widths[a] - 0.5);
+      if (periods.length[d] <= 0.0) {
+        first = std::clamp(first, 0.0, static_cast<double>(lines));
+        last = std::clamp(last, -1.0, lines - 1.0);
+      }
+      range[a][0] = std::lround(first);
+      range[a][1] = std::lround(last);
     }
     for (long i = range[0][0]; i <= range[0][1]; ++i) {
       const double x = box.min[across[0]] + (static_cast<double>(i) + 0.5) * widths[0] - g.centre[across[0]];

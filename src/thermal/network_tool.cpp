@@ -114,6 +114,24 @@ std::vector<Grain> grains_of(const NetworkDeck& deck, const DataFile& file) {
   return grains;
 }
 
+/// Grains that the box cannot have: in a periodic direction it must be that of the simulation.
+void check_places(const LinkedBed& bed, const std::string& file) {
+  constexpr double furthest = 1e6;  // m
+  for (std::size_t i = 0; i < bed.grains.size(); ++i) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double x = bed.grains[i].centre[d];
+      const double slack = 1e-6 * bed.periods.length[d];
+      const bool is_inside = x >= bed.box.min[d] - slack && x <= bed.box.max[d] + slack;
+      if (std::abs(x) > furthest || (bed.periods.length[d] > 0.0 && !is_inside)) {
+        throw DeckError(
+            fmt::format("{}: grain {} lies at {} = {} m, outside the box, which must be that of the bed in a "
+                        "periodic direction",
+                        file, i, "xyz"[d], x));
+      }
+    }
+  }
+}
+
 LinkedBed bed_of(const NetworkDeck& deck, const DataFile& file) {
   LinkedBed bed;
   bed.grains = grains_of(deck, file);
@@ -122,6 +140,7 @@ LinkedBed bed_of(const NetworkDeck& deck, const DataFile& file) {
     const std::size_t d = index_of(axis);
     bed.periods.length[d] = bed.box.max[d] - bed.box.min[d];
   }
+  check_places(bed, file.name);
   bed.links = links_of(bed.grains, bed.periods, deck.max_gap);
   constexpr int lines = 200;
   bed.porosity = porosity_in(bed.grains, bed.box, bed.periods, lines);

@@ -270,8 +270,12 @@ TEST(NetworkTool, RefusesWhatIsNoBed) {
   refused({}, "x,y,z\n", "bed.csv:1");
   refused({"box.max=[0, 0, 0]"}, grains, "each component of \"max\" of [box] must be above that of \"min\"");
   refused({"box.periodic=[\"z\"]"}, grains, "the heat's way cannot be periodic");
-  refused({"box.min=[1, 1, 1]", "box.max=[2, 2, 2]"}, grains,
+  refused({"box.periodic=[]", "box.min=[1, 1, 1]", "box.max=[2, 2, 2]"}, grains,
           "bed.csv: the box has the porosity 1; it must hold a bed");
+  refused({}, "x,y,z,radius\n0.006,0,0,1e-4\n", "bed.csv: grain 0 lies at x = 0.006 m, outside the box");
+  refused({"box.periodic=[]"}, "x,y,z,radius\n0,0,1e7,1e-4\n",
+          "bed.csv: grain 0 lies at z = 10000000 m, outside the box");
+  refused({"box.periodic=[]"}, "x,y,z,radius\n0,0,3e-3,1e-4\n0,0,1e5,1e-4\n", "no grain lies below the box");
   refused({"material.carbohsp.conductivity=0"}, grains, "\"conductivity\" = 0 is out of range");
 }
 

@@ -106,6 +106,33 @@ CLI::App* add_sensitivity(CLI::App& app, CommandLine& line) {
   return sensitivity;
 }
 
+/// A tool that takes data takes its deck as an option, like measure; one that takes none, as its argument.
+void add_thermal_tool(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& files,
+                      const std::string& what) {
+  CLI::App* tool = parent.add_subcommand(name, what);
+  if (files == "FILE") tool->add_option(files, line.files, "data; several are allowed")->required();
+  if (files == "FILES") tool->add_option(files, line.files, "two files")->required()->expected(2)->type_name("A B");
+  tool->add_option(files.empty() ? "DECK" : "--deck", line.deck, "deck (TOML)")->required()->type_name("DECK");
+  add_overrides(*tool, line);
+  tool->add_option("--output", line.output, "directory of the JSON result")->type_name("DIR");
+  tool->callback([&line, name] {
+    line.action = CommandLine::Action::thermal;
+    line.tool = name;
+  });
+}
+
+void add_thermal(CLI::App& app, CommandLine& line) {
+  CLI::App* thermal = app.add_subcommand("thermal", "thermal properties of beds, and of measurements of them");
+  thermal->require_subcommand(1);
+  add_thermal_tool(*thermal, line, "bed", "", "conductivity of a bed by Zehner, Bauer and Schluender");
+  add_thermal_tool(*thermal, line, "network", "FILE", "conductivity of simulated beds from snapshots or CSV");
+  add_thermal_tool(*thermal, line, "tps", "FILE", "evaluate transients (CSV) of a plane source");
+  add_thermal_tool(*thermal, line, "synthesise", "", "make up a transient of a plane source");
+  add_thermal_tool(*thermal, line, "sensor", "", "correct readings for the insulation of the sensor");
+  add_thermal_tool(*thermal, line, "mixture", "", "heat capacity of a bed with and without its air");
+  add_thermal_tool(app, line, "compare", "FILES", "are two sets of repeated measurements (CSV) equivalent?");
+}
+
 std::string joined_lines(std::string text) {
   for (char& c : text) {
     if (c == '\n') c = ' ';
@@ -127,6 +154,7 @@ CommandLine parse_command_line(int argc, char** argv) {
   const CLI::App* calibrate = add_calibrate(app, line);
   const CLI::App* estimate = add_estimate(app, line);
   const CLI::App* sensitivity = add_sensitivity(app, line);
+  add_thermal(app, line);
   const CLI::App* keys = app.add_subcommand("keys", "list every key of a deck");
   bool wants_version = false;
   app.add_flag("--version", wants_version, "version, commit, compiler, flags, MPI, HDF5, vector level");

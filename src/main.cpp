@@ -17,6 +17,7 @@
 #include "run_file.h"
 #include "shared_file.h"
 #include "stop_request.h"
+#include "thermal_tools.h"
 #include "validate.h"
 
 namespace {
@@ -74,6 +75,14 @@ void validate(const Communicator& comm, const CommandLine& command, const StopAs
   say(comm, validate_file(comm, request_of(command), stop_asked));
 }
 
+void thermal(const Communicator& comm, const CommandLine& command) {
+  say(comm, run_thermal_tool(comm, {.tool = command.tool,
+                                    .deck = command.deck,
+                                    .overrides = command.overrides,
+                                    .files = command.files,
+                                    .output = command.output}));
+}
+
 void dispatch(const Communicator& comm, const CommandLine& command, StopRequest& stop) {
   stop.set_time_limit(command.time_limit);
   const StopAsked stop_asked = [&](double needed) { return stop.reason(needed); };
@@ -92,6 +101,8 @@ void dispatch(const Communicator& comm, const CommandLine& command, StopRequest&
       return say(comm, sensitivity_file(comm, request_of(command), stop_asked));
     case CommandLine::Action::measure:
       return measure(comm, command);
+    case CommandLine::Action::thermal:
+      return thermal(comm, command);
     case CommandLine::Action::keys:
       return say(comm, key_reference());
     case CommandLine::Action::version:

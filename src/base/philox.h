@@ -27,7 +27,8 @@ enum class RandomStream : std::uint32_t {
   fill_position = 2,
   pour_position = 3,
   start_design = 4,
-  morris_design = 5
+  morris_design = 5,
+  transient_noise = 16
 };
 
 /// The k-th number of a particle in a stream, uniform in [0, 1) with 53 bits. A function of its arguments alone, so

@@ -15,7 +15,11 @@ namespace {
 constexpr std::string_view repeated_sections[] = {"material", "pair", "wall", "particles", "phase"};
 constexpr std::string_view repeated_subsections[] = {"motion"};
 
-bool is_repeated(const std::string& part, bool at_top) {
+/// Whether the part is a [[section]]: one that a deck of a run may have, or one that this deck has.
+bool is_repeated(const toml::table& table, const std::string& part, bool at_top) {
+  if (const toml::array* array = table.get_as<toml::array>(part); array != nullptr && array->is_array_of_tables()) {
+    return true;
+  }
   const std::span<const std::string_view> names = at_top ? std::span<const std::string_view>(repeated_sections)
                                                          : std::span<const std::string_view>(repeated_subsections);
   return std::find(names.begin(), names.end(), part) != names.end();
@@ -110,7 +114,7 @@ void apply(toml::table& root, const std::string& set_text, Overridden& overridde
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
     path = child(path, parts[i]);
     const std::string& part = parts[i];
-    if (is_repeated(part, i == 0)) {
+    if (is_repeated(*table, part, i == 0)) {
       toml::array* array = table->get_as<toml::array>(part);
       if (array == nullptr) fail(set_text, fmt::format("the deck has no [[{}]]", path));
       if (parts.size() < i + 3) {

@@ -32,6 +32,15 @@ constexpr Symbol per_second[] = {{"1/s", 0}, {"1/ms", 3}};
 constexpr Symbol hertz[] = {{"Hz", 0}, {"kHz", 3}};
 constexpr Symbol angular_speed[] = {{"rad/s", 0}, {"deg/s", 0, pi / 180.0}, {"rpm", 0, pi / 30.0}};
 constexpr Symbol stiffness[] = {{"N/m", 0}, {"kN/m", 3}, {"N/mm", 3}, {"mN/m", -3}};
+constexpr Symbol kelvin[] = {{"K", 0}, {"mK", -3}};
+constexpr Symbol watt[] = {{"W", 0}, {"mW", -3}};
+constexpr Symbol ohm[] = {{"ohm", 0}};
+constexpr Symbol conductivity[] = {{"W/(m K)", 0}, {"mW/(m K)", -3}};
+constexpr Symbol specific_heat[] = {{"J/(kg K)", 0}, {"kJ/(kg K)", 3}};
+constexpr Symbol volumetric_heat[] = {{"J/(m3 K)", 0}, {"kJ/(m3 K)", 3}, {"MJ/(m3 K)", 6}};
+constexpr Symbol diffusivity[] = {{"m2/s", 0}, {"mm2/s", -6}};
+constexpr Symbol per_kelvin[] = {{"1/K", 0}};
+constexpr Symbol heating_rate[] = {{"K/s", 0}, {"mK/s", -3}};
 
 struct Dimension {
   std::string_view name;
@@ -68,6 +77,24 @@ Dimension dimension(Unit unit) {
       return {"a number per time", per_second};
     case Unit::stiffness:
       return {"a stiffness", stiffness};
+    case Unit::kelvin:
+      return {"a temperature", kelvin};
+    case Unit::watt:
+      return {"a power", watt};
+    case Unit::ohm:
+      return {"a resistance", ohm};
+    case Unit::conductivity:
+      return {"a thermal conductivity", conductivity};
+    case Unit::specific_heat:
+      return {"a specific heat", specific_heat};
+    case Unit::volumetric_heat:
+      return {"a volumetric heat capacity", volumetric_heat};
+    case Unit::diffusivity:
+      return {"a diffusivity", diffusivity};
+    case Unit::per_kelvin:
+      return {"a number per temperature", per_kelvin};
+    case Unit::heating_rate:
+      return {"a temperature per time", heating_rate};
   }
   return {"a number", {}};
 }

@@ -20,7 +20,16 @@ enum class Unit {
   per_second,
   hertz,
   angular_speed,
-  stiffness
+  stiffness,
+  kelvin,
+  watt,
+  ohm,
+  conductivity,
+  specific_heat,
+  volumetric_heat,
+  diffusivity,
+  per_kelvin,
+  heating_rate
 };
 
 /// The SI symbol, such as "kg/m3"; "-" for a number without a unit.

@@ -1,5 +1,6 @@
 // Writes what the fuzzers begin with: fuzz_seeds INPUT_FOLDER FOLDER makes FOLDER/TARGET/* and the dictionary
 // FOLDER/deck.dict.
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -8,13 +9,12 @@
 #include <sstream>
 
 #include "deck/resolved_deck.h"
+#include "support/input_decks.h"
 #include "support/meshes.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-
-const char* const validation = "validation.toml";  // the only one in input/ that is no deck
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -38,14 +38,32 @@ class Seeds {
 
 void add_decks(const fs::path& input, const Seeds& seeds) {
   for (const auto& entry : fs::directory_iterator(input)) {
-    if (entry.path().extension() != ".toml" || entry.path().filename() == validation) continue;
-    seeds.add(entry.path().filename(), text_of(entry.path()));
+    if (repose::test::is_deck_of_a_run(entry.path())) seeds.add(entry.path().filename(), text_of(entry.path()));
   }
   seeds.add("overrides", text_of(input / "discharge_quick.toml") +
                              "\n--set particles.0.mass=0.05 g\n--set phase.settle.max_time=0.3\n--set run.title=a");
 }
 
-void add_validations(const fs::path& input, const Seeds& seeds) { seeds.add(validation, text_of(input / validation)); }
+/// The files of input/ whose names begin so.
+void add_inputs(const fs::path& input, const std::string& begin, const Seeds& seeds) {
+  for (const auto& entry : fs::directory_iterator(input)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(begin)) seeds.add(name, text_of(entry.path()));
+  }
+}
+
+void add_studies(const fs::path& input, const Seeds& seeds) {
+  add_inputs(input, "calibrate_", seeds);
+  add_inputs(input, "sensitivity_", seeds);
+  seeds.add("search",
+            "base = \"a\"\n[[parameter]]\nname = \"a\"\nkey = \"pair.0.restitution\"\nmin = 0\nmax = 1\n"
+            "[[observable]]\nfigure = \"pile_height_m\"\nlaboratory = 1\ndeviation = 1\nscale = \"logarithm\"\n"
+            "[adaptive]\nstart = 5\nbatch = 2\nbudget = 9\nhalf_width = 0.1\n");
+  seeds.add(
+      "list",
+      "base = \"a\"\n[[parameter]]\nname = \"a\"\nkey = \"time.step\"\nmin = 0\nmax = 1\n[[point]]\nvalues = [0.5]\n"
+      "[[observable]]\nfigure = \"pile_height_m\"\nlaboratory = 1\ndeviation = 1\n");
+}
 
 void add_particle_lists(const Seeds& seeds) {
   seeds.add("full",
@@ -100,6 +118,23 @@ void add_states(const Seeds& seeds) {
 "motions": [{"clocks": [{"steps": 7, "runs": true}, {"steps": 0, "runs": false}]}]}})");
 }
 
+void add_thermal_files(const Seeds& seeds) {
+  std::string transient = "--file\ntime,temperature,power\n-2,0.001,0\n-1,0,0\n";
+  std::string resistance = "--file\ntime,resistance\n";
+  for (int i = 1; i < 40; ++i) {  // not far from that of a disc
+    const double t = 0.125 * i;
+    const double rise = 2.0 * std::sqrt(t) - 0.3 * t;
+    transient += std::to_string(t) + "," + std::to_string(rise) + ",1.5\n";
+    resistance += std::to_string(t) + "," + std::to_string(10.0 * (1.0 + 0.005 * rise)) + "\n";
+  }
+  seeds.add("transient", transient);
+  seeds.add("resistance", resistance);
+  seeds.add("repeats", "--file\nmass,angle\n21.9,32\n21.8,\n22,33\n");
+  seeds.add("deck",
+            "[[figure]]\ncolumn = \"a\"\nrelative_bound = 0.1\n[orifice]\ndiameter = \"5 mm\"\n"
+            "expansion = \"1e-5 1/K\"\nhot = \"900 K\"\nsmallest_grain = \"0.2 mm\"\n--file\na\n1\n2\n");
+}
+
 /// Every word of `repose keys` that is a key, a section or a choice.
 std::string dictionary() {
   std::set<std::string> words;
@@ -125,13 +160,15 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const fs::path folder = argv[2];
   add_decks(argv[1], Seeds(folder / "deck"));
-  add_validations(argv[1], Seeds(folder / "validation"));
+  add_inputs(argv[1], "validation", Seeds(folder / "validation"));
+  add_studies(argv[1], Seeds(folder / "study"));
   add_particle_lists(Seeds(folder / "particle_csv"));
   add_size_analyses(Seeds(folder / "size_csv"));
   add_meshes(Seeds(folder / "stl"));
   add_snapshots(Seeds(folder / "snapshot"));
   add_checkpoints(Seeds(folder / "checkpoint"));
   add_states(Seeds(folder / "state"));
+  add_thermal_files(Seeds(folder / "thermal"));
   std::ofstream(folder / "deck.dict") << dictionary();
   return 0;
 }

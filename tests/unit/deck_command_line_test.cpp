@@ -51,6 +51,23 @@ TEST(ParseCommandLine, TimeLimitsAreThoseOfBatchSystems) {
   EXPECT_FALSE(parse({"run", "a.toml", "--output", "o"}).time_limit);
 }
 
+TEST(ParseCommandLine, Thermal) {
+  const CommandLine bed = parse({"thermal", "bed", "deck.toml", "--set", "a=1", "--output", "out"});
+  EXPECT_EQ(bed.action, Action::thermal);
+  EXPECT_EQ(bed.tool, "bed");
+  EXPECT_EQ(bed.deck, "deck.toml");
+  EXPECT_EQ(bed.output, "out");
+  EXPECT_EQ(bed.overrides, std::vector<std::string>{"a=1"});
+  const CommandLine tps = parse({"thermal", "tps", "1.csv", "2.csv", "--deck", "deck.toml"});
+  EXPECT_EQ(tps.tool, "tps");
+  EXPECT_EQ(tps.files, (std::vector<std::string>{"1.csv", "2.csv"}));
+  EXPECT_EQ(tps.deck, "deck.toml");
+  const CommandLine compare = parse({"compare", "--deck", "deck.toml", "a.csv", "b.csv"});
+  EXPECT_EQ(compare.action, Action::thermal);
+  EXPECT_EQ(compare.tool, "compare");
+  EXPECT_EQ(compare.files, (std::vector<std::string>{"a.csv", "b.csv"}));
+}
+
 TEST(ParseCommandLine, Measure) {
   const CommandLine line = parse({"measure", "run_1.hdf", "--deck", "deck.toml", "--set", "a=1", "--output", "out"});
   EXPECT_EQ(line.action, Action::measure);
@@ -98,6 +115,10 @@ TEST(ParseCommandLine, MistakesAreOneLine) {
       {{"check", "a.toml", "b.toml"}, "The following argument was not expected: b.toml; see repose --help"},
       {{"check", "a.toml", "--set"}, "--set: 1 required KEY=VALUE missing; see repose --help"},
       {{"measure", "a.csv"}, "--deck is required; see repose --help"},
+      {{"thermal"}, "A subcommand is required; see repose --help"},
+      {{"thermal", "network", "--deck", "a.toml"}, "FILE is required; see repose --help"},
+      {{"thermal", "tps", "a.csv"}, "--deck is required; see repose --help"},
+      {{"compare", "a.csv", "--deck", "a.toml"}, "FILES: At least 2 required but received 1; see repose --help"},
       {{"measure", "--deck", "a.toml"}, "FILE is required; see repose --help"},
       {{"run", "a.toml", "--output", "o", "--vector-level", "mmx"},
        "--vector-level: mmx not in {auto,sse2,avx2,avx512}; see repose --help"},

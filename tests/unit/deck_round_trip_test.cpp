@@ -12,6 +12,7 @@
 #include "deck/schema.h"
 #include "deck/value_text.h"
 #include "deck_example.h"
+#include "support/input_decks.h"
 
 namespace repose {
 namespace {
@@ -93,7 +94,7 @@ TEST(RoundTrip, Example) { expect_round_trip(read_deck(example_deck, "deck.toml"
 TEST(RoundTrip, EveryDeckOfTheInputFolder) {
   int decks = 0;
   for (const auto& entry : std::filesystem::directory_iterator(input)) {
-    if (entry.path().extension() != ".toml" || entry.path().filename() == "validation.toml") continue;  // no deck
+    if (!test::is_deck_of_a_run(entry.path())) continue;
     SCOPED_TRACE(entry.path());
     expect_round_trip(read_deck(text_of(entry.path()), entry.path().filename().string(), {}));
     ++decks;

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "thermal/tool.h"
+
+namespace repose::thermal {
+
+/// `repose thermal mixture`: heat capacity of a bed in air, with and without the air, whether the air may be neglected,
+/// and the specific heat of the grains from a measured volumetric one.
+ToolResult mixture_tool(const ToolInput& input);
+
+}  // namespace repose::thermal

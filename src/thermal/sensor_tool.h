@@ -1,0 +1,11 @@
+#pragma once
+
+#include "thermal/tool.h"
+
+namespace repose::thermal {
+
+/// `repose thermal sensor`: errors of readings against the literature beside those that were printed for them, and
+/// readings with mica at temperature corrected by the difference between mica and kapton at room temperature.
+ToolResult sensor_tool(const ToolInput& input);
+
+}  // namespace repose::thermal

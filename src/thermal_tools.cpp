@@ -1,0 +1,66 @@
+#include "thermal_tools.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "output/agreement.h"
+#include "output/atomic_file.h"
+#include "output/build_info.h"
+#include "output/directory.h"
+#include "shared_file.h"
+#include "thermal/bed_tool.h"
+#include "thermal/compare_tool.h"
+#include "thermal/mixture_tool.h"
+#include "thermal/network_tool.h"
+#include "thermal/sensor_tool.h"
+#include "thermal/tps_tool.h"
+
+namespace repose {
+namespace {
+
+using thermal::Json;
+
+struct Tool {
+  std::string_view name;
+  thermal::ToolResult (*run)(const thermal::ToolInput& input);
+};
+
+constexpr Tool tools[] = {{"bed", thermal::bed_tool},         {"compare", thermal::compare_tool},
+                          {"mixture", thermal::mixture_tool}, {"network", thermal::network_tool},
+                          {"sensor", thermal::sensor_tool},   {"synthesise", thermal::synthesise_tool},
+                          {"tps", thermal::tps_tool}};
+
+thermal::ToolResult result_of(const ThermalRequest& request) {
+  thermal::ToolInput input{{request.deck, read_whole_file(request.deck)}, request.overrides, {}};
+  for (const std::string& file : request.files) input.files.push_back({file, read_whole_file(file)});
+  for (const Tool& tool : tools)
+    if (tool.name == request.tool) return tool.run(input);
+  throw DeckError(fmt::format("there is no thermal tool \"{}\"", request.tool));
+}
+
+/// The tables first: the JSON appears when everything is there.
+void write(const ThermalRequest& request, const thermal::ToolResult& result) {
+  create_output_directory(request.output);
+  for (const thermal::DataFile& table : result.tables)
+    write_text_file(fmt::format("{}/{}", request.output, table.name), table.bytes);
+  Json json = result.json;
+  json["deck"] = {{"file", request.deck}, {"set", request.overrides}, {"text", read_whole_file(request.deck)}};
+  json["build"] = Json::object();
+  for (const auto& [name, text] : build_fields(build_info(""))) json["build"][name] = text;
+  write_text_file(fmt::format("{}/{}.json", request.output, request.tool),
+                  json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace
+
+std::string run_thermal_tool(const Communicator& comm, const ThermalRequest& request) {
+  std::string text;
+  agree_after_root(comm, [&] {
+    const thermal::ToolResult result = result_of(request);
+    text = result.text;
+    if (!request.output.empty()) write(request, result);
+  });
+  return text;
+}
+
+}  // namespace repose

@@ -22,29 +22,29 @@ OBSERVABLE = ('[[observable]]\nfigure = "{figure}"\nlaboratory = {value}\ndeviat
               'deviation_is_known = false\nscale = "{scale}"\n')
 REPEATS = 8
 QUICK = ["output.snapshot_interval=0"]
-PLATE = 0.02  # m below the orifice
+PLATE = 0.04  # m below the orifice, as in the thesis
 
 CASES = {
     "friction": {
         "sets": QUICK, "seeds": 3, "scale": "linear",
-        "parameters": [("sliding_friction", "pair.0.sliding_friction", 0.2, 0.9, 5),
+        "parameters": [("sliding_friction", "pair.0.sliding_friction", 0.2, 0.7, 5),
                        ("rolling_friction", "pair.0.rolling_friction", 0.05, 0.35, 4)],
         "figures": ["discharged_mass_kg", "angle_of_repose_deg"],
-        "hidden": [(0.35, 0.12), (0.5, 0.25), (0.65, 0.1), (0.8, 0.2)],
+        "hidden": [(0.3, 0.12), (0.45, 0.25), (0.55, 0.1), (0.6, 0.2)],
     },
     "restitution": {
         "sets": QUICK + [
             f"domain.min=[-0.05, -0.05, {-PLATE - 1e-3}]", "domain.max=[0.05, 0.05, 0.04]",
             f"wall.plate.corner=[-0.05, -0.05, {-PLATE}]", "wall.plate.edge_u=[0.1, 0.0, 0.0]",
             "wall.plate.edge_v=[0.0, 0.1, 0.0]", f"measurement.angle_of_repose.plate_height={-PLATE}",
-            f"measurement.scattering.plate_height={-PLATE}", "measurement.scattering.base_radius=6 mm",
-            "measurement.scattering.area_1_width=4 mm", "measurement.scattering.area_3_radius=14 mm",
+            f"measurement.scattering.plate_height={-PLATE}", "measurement.scattering.base_radius=5 mm",
+            "measurement.scattering.area_1_width=4 mm", "measurement.scattering.area_3_radius=10 mm",
             "phase.discharge.max_time=1 s", "pair.0.sliding_friction=0.7", "pair.0.rolling_friction=0.1"],
         "seeds": 8, "scale": "square_root",
-        "parameters": [("restitution", "pair.0.restitution", 0.3, 0.85, 4),
+        "parameters": [("restitution", "pair.0.restitution", 0.4, 0.85, 4),
                        ("wall_restitution", "pair.1.restitution", 0.3, 0.85, 4)],
         "figures": ["scattering.area_1.count", "scattering.area_3.count"],
-        "hidden": [(0.4, 0.4), (0.5, 0.7), (0.65, 0.45), (0.75, 0.75)],
+        "hidden": [(0.55, 0.45), (0.6, 0.7), (0.7, 0.5), (0.75, 0.7)],
     },
 }
 

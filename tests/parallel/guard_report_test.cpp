@@ -31,7 +31,7 @@ class GuardReport : public ::testing::Test {
     deck.time.expected_speed = 40.0;
     deck.run.check_every = 5;
     deck.output.snapshot_times = {9e-6, 10e-6, 11e-6};  // too deep at step 10 or 11
-    const OutputOptions options = {folder_ / "out", "resolved = true\n", build_info("test"), true};
+    const OutputOptions options = {folder_ / "out", "resolved = true\n", build_info("test"), {.progress = nullptr}};
     try {
       run_deck(
           comm_, deck, [](const std::string&) { return std::string(grains); }, best_vector_level(), options);

@@ -33,7 +33,7 @@ class SideBySide : public testing::Test {
   std::string run(const ReadFile& read_file, const std::string& folder) const {
     Deck deck = listed_deck(1e-6, 2000);
     deck.time.expected_speed = 40.0;
-    const OutputOptions options = {folder, "resolved = true\n", build_info("test"), true};
+    const OutputOptions options = {folder, "resolved = true\n", build_info("test"), {.progress = nullptr}};
     try {
       return run_deck(*group_, deck, read_file, best_vector_level(), options).state_hash;
     } catch (const Error& error) {

@@ -18,6 +18,7 @@
 #include "deck/resolved_deck.h"
 #include "output/agreement.h"
 #include "output/directory.h"
+#include "output/directory_lock.h"
 #include "restart.h"
 #include "shared_file.h"
 #include "summary_figures.h"
@@ -131,7 +132,6 @@ std::vector<std::size_t> shared_order(const Communicator& world, const CampaignP
                                       std::span<const StudyRun> runs) {
   std::vector<std::size_t> order;
   agree_after_root(world, [&] {
-    create_output_directory(plan.directory);
     order = longest_first(runs, records_of(plan, runs), plan.study.parameters,
                           [&](const StudyRun& run) { return work_of(plan, run); });
   });
@@ -187,6 +187,11 @@ void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
 
 std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPlan& plan, std::span<const StudyRun> runs,
                                     const StopAsked& stop_asked, CampaignEffort& effort) {
+  std::optional<DirectoryLock> lock;
+  agree_after_root(world, [&] {
+    create_output_directory(plan.directory);
+    lock.emplace(plan.directory);
+  });
   const std::vector<std::size_t> order = shared_order(world, plan, runs);
   const int groups = group_count(world.size(), plan.study.ranks_per_run, std::ssize(order));
   const Communicator comm(world, group_of(world.rank(), world.size(), groups));

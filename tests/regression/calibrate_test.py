@@ -7,8 +7,10 @@ Usage: calibrate_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 import csv
 import json
 import os
+import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import h5py
@@ -122,6 +124,21 @@ class Calibrate(unittest.TestCase):
         self.assertEqual(len(self.table()), 18)
         self.assertEqual(self.read("grid.csv").splitlines()[:13], table.splitlines())
 
+    def test_a_time_limit_stops_it_and_the_same_command_goes_on(self):
+        path, calm = self.write(GRID, seeds=3), os.path.join(self.folder, "calm")
+        self.calibrate(path, output=calm)
+        stopped = 0
+        while True:
+            done = self.call("calibrate", path, "--time-limit", "00:00:03", ranks=1)
+            if done.returncode == 0:
+                break
+            self.assertEqual(done.returncode, 75, done.stderr)
+            self.assertIn("of 18 runs complete; the same command goes on from there", done.stderr)
+            stopped += 1
+            self.assertLess(stopped, 40)
+        self.assertGreater(stopped, 0)
+        self.assertEqual(self.read("grid.csv"), self.read("grid.csv", calm))
+
     def test_a_failed_run_ends_no_other_and_is_not_tried_again(self):
         text = GRID.replace(RESTITUTION + "min = 0.2\nmax = 0.8\npoints = 3\n",
                             '[[parameter]]\nname = "overlap"\nkey = "guards.max_overlap"\nvalues = [1e-5, 0.2, 0.3]\n')
@@ -150,6 +167,19 @@ class Calibrate(unittest.TestCase):
         self.refused(self.write(GRID.replace("repeats = 4\n", "deviation_is_known = false\n", 1)), "takes at least 2")
         self.refused(self.write(SLIDING + "min = 0.1\nmax = 0.2\n" + MASS), 'lacks "points" or "values"')
 
+    def test_two_jobs_at_once_are_refused(self):
+        path = self.write(GRID.replace("points = 3", "points = 60"))
+        command = [self.program.executable, "calibrate", path, "--output", self.output]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as first:
+            try:
+                while not os.path.exists(os.path.join(self.output, "grid.csv")) and first.poll() is None:
+                    time.sleep(0.05)
+                done = self.call("calibrate", path)
+            finally:
+                first.kill()
+        self.assertEqual(done.returncode, 4, done.stdout)
+        self.assertIn("another run is at work in this directory", done.stderr)
+
     def test_another_base_deck_in_the_same_directory_is_refused(self):
         self.calibrate(self.write(GRID, seeds=1))
         done = self.call("calibrate", self.write(GRID, sets=[*REDUCED, "pair.1.restitution=0.3"], seeds=1))
@@ -165,6 +195,17 @@ class Calibrate(unittest.TestCase):
         done = self.program.call("estimate", self.output, "--deck", self.write(GRID.replace("8e-6", "8.5e-6")))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotEqual(self.read("estimate.json"), own)
+
+    def test_pictures(self):
+        tool = os.path.join(self.program.source, "tools", "plot_calibration.py")
+        single = SLIDING + "values = [0.1, 0.2, 0.3, 0.4]\n" + MASS
+        for name, text in (("plane", GRID), ("line", single)):
+            output = os.path.join(self.folder, name)
+            self.calibrate(self.write(text), output=output)
+            drawn = subprocess.run([tool, output], capture_output=True, text=True)
+            self.assertEqual(drawn.returncode, 0, drawn.stderr)
+            for ending in ("png", "pdf"):
+                self.assertGreater(os.path.getsize(os.path.join(output, f"calibration.{ending}")), 5000)
 
     def test_a_search_depends_on_nothing_but_its_runs(self):
         search = (SLIDING + "min = 0.1\nmax = 0.7\n" + RESTITUTION + "min = 0.2\nmax = 0.8\n" + MASS + RATE +

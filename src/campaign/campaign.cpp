@@ -80,8 +80,13 @@ class Group {
     return true;
   }
 
+  /// Where not even that can be written, the run waits again; the other groups must not wait for this one.
   void note_failure(const std::string& folder, ExitCode code, const std::string& reason) {
-    agree_after_root(comm_, [&] { write_failure(folder, code, reason); });
+    try {
+      if (comm_.is_root()) write_failure(folder, code, reason);
+    } catch (const FileError& error) {
+      plan_.log.warn(fmt::format("{}; {}", reason, error.what()));
+    }
     if (comm_.is_root()) counters_.add(failed_runs, 1);
   }
 

@@ -36,7 +36,7 @@ std::vector<double> figure_rows(const GridTable& table) {
 }
 
 void write_hdf5(const std::string& path, const GridTable& table) {
-  const Communicator self(MPI_COMM_SELF);
+  const Communicator self = Communicator::self();
   const std::int64_t count = std::ssize(table.runs);
   std::int64_t bytes = 1 << 20;
   for (const RunRecord& record : table.records) bytes += 1000 + std::ssize(record.reason) * count;

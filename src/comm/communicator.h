@@ -50,6 +50,8 @@ void check_mpi(int code, const char* call);
 class Communicator {
  public:
   explicit Communicator(MPI_Comm parent);
+  /// This rank alone.
+  static Communicator self() { return Communicator(MPI_COMM_SELF); }
   /// The ranks of `parent` that give the same group (at least 0), in their order there.
   Communicator(const Communicator& parent, int group);
   ~Communicator();

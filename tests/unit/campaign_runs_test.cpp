@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "campaign/expected_cost.h"
 #include "campaign/rank_groups.h"
@@ -48,7 +49,7 @@ TEST(RunList, APointAgainGetsTheNextSeeds) {
 }
 
 TEST(RunList, FoldersTellTheirRuns) {
-  const auto folder = std::filesystem::temp_directory_path() / "repose_run_list_test";
+  const auto folder = std::filesystem::temp_directory_path() / ("repose_run_list_test_" + std::to_string(getpid()));
   std::filesystem::remove_all(folder);
   for (const StudyRun& run : runs_at(study(), {{0.1, 1e-7}, {1.0 / 3.0, 0.8}})) {
     std::filesystem::create_directories(folder / run.name);

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "campaign/observables.h"
 #include "campaign/run_folder.h"
@@ -20,7 +21,8 @@ class RunFolder : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder); }
   void write(const std::string& name, const std::string& text) { std::ofstream(folder / name) << text; }
 
-  std::filesystem::path folder = std::filesystem::temp_directory_path() / "repose_run_folder_test";
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("repose_run_folder_test_" + std::to_string(getpid()));
 };
 
 const std::string summary = R"({"plugged": PLUGGED, "discharged_mass_kg": 0.02, "angle_of_repose_deg": null,

@@ -79,7 +79,8 @@ TEST(ParseCommandLine, Measure) {
 }
 
 TEST(ParseCommandLine, Studies) {
-  const CommandLine line = parse({"calibrate", "c.toml", "--output", "out", "--set", "a=1", "--time-limit", "01:00:00"});
+  const CommandLine line =
+      parse({"calibrate", "c.toml", "--output", "out", "--set", "a=1", "--time-limit", "01:00:00"});
   EXPECT_EQ(line.action, Action::calibrate);
   EXPECT_EQ(line.deck, "c.toml");
   EXPECT_EQ(line.overrides, std::vector<std::string>{"a=1"});

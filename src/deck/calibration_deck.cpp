@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "deck/parse_toml.h"
-#include "deck/reader.h"
+#include "deck/read_described.h"
 #include "deck/study_schema.h"
 
 namespace repose {
@@ -115,17 +114,7 @@ void check_observables(const CalibrationDeck& deck, DeckErrors& errors) {
   }
 }
 
-}  // namespace
-
-CalibrationDeck read_calibration_deck(const std::string& text, const std::string& path) {
-  const toml::table root = parse_toml(text, path);
-  DeckErrors errors(path);
-  CalibrationDeck deck;
-  const Overridden none;
-  Reader reader(root, none, errors);
-  describe(reader, deck);
-  reader.finish();
-  errors.throw_first();
+void check(CalibrationDeck& deck, DeckErrors& errors) {
   check_study(deck.study, errors);
   check_points(deck, errors);
   check_observables(deck, errors);
@@ -134,8 +123,12 @@ CalibrationDeck read_calibration_deck(const std::string& text, const std::string
   if (a.enabled && a.budget < a.start) {
     errors.add("adaptive.budget", fmt::format("\"budget\" = {} must be at least \"start\" = {}", a.budget, a.start));
   }
-  errors.throw_first();
-  return deck;
+}
+
+}  // namespace
+
+CalibrationDeck read_calibration_deck(const std::string& text, const std::string& path) {
+  return read_described<CalibrationDeck>(text, path, {}, check);
 }
 
 std::vector<std::vector<double>> points_of(const CalibrationDeck& deck) {

@@ -4,9 +4,7 @@
 
 #include "base/error.h"
 #include "deck/check_deck.h"
-#include "deck/overrides.h"
-#include "deck/parse_toml.h"
-#include "deck/reader.h"
+#include "deck/read_described.h"
 #include "deck/schema.h"
 
 namespace repose {
@@ -54,19 +52,10 @@ void resolve_defaults(Deck& deck) {
 }  // namespace
 
 Deck read_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
-  toml::table root = parse_toml(text, path);
-  const Overridden overridden = apply_overrides(root, overrides);
-  DeckErrors errors(path);
-  Deck deck;
-  Reader reader(root, overridden, errors);
-  describe(reader, deck);
-  reader.finish();
-  errors.throw_first();
-
-  resolve_defaults(deck);
-  check_deck(deck, errors);
-  errors.throw_first();
-  return deck;
+  return read_described<Deck>(text, path, overrides, [](Deck& deck, DeckErrors& errors) {
+    resolve_defaults(deck);
+    check_deck(deck, errors);
+  });
 }
 
 }  // namespace repose

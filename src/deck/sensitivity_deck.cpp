@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "deck/parse_toml.h"
-#include "deck/reader.h"
+#include "deck/read_described.h"
 #include "deck/study_schema.h"
 
 namespace repose {
@@ -23,15 +22,9 @@ void describe(V& v, SensitivityDeck& d) {
   v.section("morris", d.morris, optional, "Morris screening beside one at a time");
 }
 
-SensitivityDeck read_sensitivity_deck(const std::string& text, const std::string& path) {
-  const toml::table root = parse_toml(text, path);
-  DeckErrors errors(path);
-  SensitivityDeck deck;
-  const Overridden none;
-  Reader reader(root, none, errors);
-  describe(reader, deck);
-  reader.finish();
-  errors.throw_first();
+namespace {
+
+void check(SensitivityDeck& deck, DeckErrors& errors) {
   check_study(deck.study, errors);
   if (deck.figures.empty()) errors.add("figures", "\"figures\" names none");
   for (std::size_t i = 0; i < deck.study.parameters.size(); ++i) {
@@ -45,8 +38,12 @@ SensitivityDeck read_sensitivity_deck(const std::string& text, const std::string
     errors.add("seeds", fmt::format("at most {} seeds, trajectories and levels are taken", most));
   }
   if (deck.morris.levels % 2 != 0) errors.add("morris.levels", "\"levels\" must be even");
-  errors.throw_first();
-  return deck;
+}
+
+}  // namespace
+
+SensitivityDeck read_sensitivity_deck(const std::string& text, const std::string& path) {
+  return read_described<SensitivityDeck>(text, path, {}, check);
 }
 
 }  // namespace repose

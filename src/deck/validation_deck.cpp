@@ -1,8 +1,7 @@
 #include "deck/validation_deck.h"
 
-#include "deck/parse_toml.h"
 #include "deck/plain_name.h"
-#include "deck/reader.h"
+#include "deck/read_described.h"
 #include "deck/schema_types.h"
 
 namespace repose {
@@ -30,15 +29,9 @@ void describe(V& v, ValidationDeck& d) {
   v.sections("case", d.cases, required, "a run and its comparisons");
 }
 
-ValidationDeck read_validation_deck(const std::string& text, const std::string& path) {
-  const toml::table root = parse_toml(text, path);
-  DeckErrors errors(path);
-  ValidationDeck deck;
-  const Overridden none;
-  Reader reader(root, none, errors);
-  describe(reader, deck);
-  reader.finish();
-  errors.throw_first();
+namespace {
+
+void check(const ValidationDeck& deck, DeckErrors& errors) {
   for (std::size_t i = 0; i < deck.cases.size(); ++i) {
     const std::string& name = deck.cases[i].name;
     const std::string key = fmt::format("case.{}.name", i);
@@ -47,8 +40,12 @@ ValidationDeck read_validation_deck(const std::string& text, const std::string& 
       if (deck.cases[j].name == name) errors.add(key, fmt::format("\"{}\" is the name of another case, too", name));
     }
   }
-  errors.throw_first();
-  return deck;
+}
+
+}  // namespace
+
+ValidationDeck read_validation_deck(const std::string& text, const std::string& path) {
+  return read_described<ValidationDeck>(text, path, {}, check);
 }
 
 }  // namespace repose

@@ -5,9 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "deck/overrides.h"
-#include "deck/parse_toml.h"
-#include "deck/reader.h"
+#include "deck/read_described.h"
 #include "deck/schema_types.h"
 
 /// What the thermal tools have in common: a deck and data files in, a table and a JSON result out.
@@ -33,21 +31,10 @@ struct ToolResult {
   std::vector<DataFile> tables;  ///< further files to write beside the JSON
 };
 
-/// Reads a deck whose keys describe(visitor, deck) lists (deck/schema_types.h). `check(deck, errors)` adds what
-/// connects several keys. DeckError, with the place, on the first mistake.
+/// As read_described.
 template <class D, class Check>
 D read_tool_deck(const ToolInput& input, Check&& check) {
-  toml::table root = parse_toml(input.deck.bytes, input.deck.name);
-  const Overridden overridden = apply_overrides(root, input.overrides);
-  DeckErrors errors(input.deck.name);
-  D deck;
-  Reader reader(root, overridden, errors);
-  describe(reader, deck);
-  reader.finish();
-  errors.throw_first();
-  check(deck, errors);
-  errors.throw_first();
-  return deck;
+  return read_described<D>(input.deck.bytes, input.deck.name, input.overrides, check);
 }
 
 /// `count` values from `first` to `last`, both included; one value is `first`.

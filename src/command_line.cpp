@@ -74,21 +74,14 @@ CLI::App* add_run(CLI::App& app, CommandLine& line) {
   return run;
 }
 
-CLI::App* add_validate(CLI::App& app, CommandLine& line) {
-  CLI::App* validate = app.add_subcommand("validate", "run cases and compare their figures with those of a laboratory");
-  validate->add_option("FILE", line.deck, "cases and values to compare with (TOML)")->required();
-  add_overrides(*validate, line);
-  add_run_options(*validate, line);
-  return validate;
-}
-
-CLI::App* add_calibrate(CLI::App& app, CommandLine& line) {
-  CLI::App* calibrate = app.add_subcommand(
-      "calibrate", "run a deck over a grid of parameters and find those that give the laboratory's figures");
-  calibrate->add_option("FILE", line.deck, "parameters, points and laboratory values (TOML)")->required();
-  add_overrides(*calibrate, line);
-  add_run_options(*calibrate, line);
-  return calibrate;
+/// A command that runs decks as a file of its own kind says.
+CLI::App* add_study(CLI::App& app, CommandLine& line, const std::string& name, const std::string& what,
+                    const std::string& file) {
+  CLI::App* study = app.add_subcommand(name, what);
+  study->add_option("FILE", line.deck, file)->required();
+  add_overrides(*study, line);
+  add_run_options(*study, line);
+  return study;
 }
 
 CLI::App* add_estimate(CLI::App& app, CommandLine& line) {
@@ -96,14 +89,6 @@ CLI::App* add_estimate(CLI::App& app, CommandLine& line) {
   estimate->add_option("DIR", line.file, "directory of the calibration")->required();
   estimate->add_option("--deck", line.deck, "calibration (TOML) with other laboratory values")->type_name("FILE");
   return estimate;
-}
-
-CLI::App* add_sensitivity(CLI::App& app, CommandLine& line) {
-  CLI::App* sensitivity = app.add_subcommand("sensitivity", "what each parameter does to the figures of a deck");
-  sensitivity->add_option("FILE", line.deck, "parameters and figures (TOML)")->required();
-  add_overrides(*sensitivity, line);
-  add_run_options(*sensitivity, line);
-  return sensitivity;
 }
 
 /// A tool that takes data takes its deck as an option, like measure; one that takes none, as its argument.
@@ -150,10 +135,15 @@ CommandLine parse_command_line(int argc, char** argv) {
   CLI::App* check = app.add_subcommand("check", "resolve a deck and print what a run would take");
   add_deck_options(*check, line);
   const CLI::App* measure = add_measure(app, line);
-  const CLI::App* validate = add_validate(app, line);
-  const CLI::App* calibrate = add_calibrate(app, line);
+  const CLI::App* validate =
+      add_study(app, line, "validate", "run cases and compare their figures with those of a laboratory",
+                "cases and values to compare with (TOML)");
+  const CLI::App* calibrate = add_study(
+      app, line, "calibrate", "run a deck over a grid of parameters and find those that give the laboratory's figures",
+      "parameters, points and laboratory values (TOML)");
   const CLI::App* estimate = add_estimate(app, line);
-  const CLI::App* sensitivity = add_sensitivity(app, line);
+  const CLI::App* sensitivity = add_study(app, line, "sensitivity", "what each parameter does to the figures of a deck",
+                                          "parameters and figures (TOML)");
   add_thermal(app, line);
   const CLI::App* keys = app.add_subcommand("keys", "list every key of a deck");
   bool wants_version = false;

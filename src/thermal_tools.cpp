@@ -7,6 +7,7 @@
 #include "output/atomic_file.h"
 #include "output/build_info.h"
 #include "output/directory.h"
+#include "output/json_text.h"
 #include "shared_file.h"
 #include "thermal/bed_tool.h"
 #include "thermal/compare_tool.h"
@@ -45,10 +46,8 @@ void write(const ThermalRequest& request, const thermal::ToolResult& result) {
     write_text_file(fmt::format("{}/{}", request.output, table.name), table.bytes);
   Json json = result.json;
   json["deck"] = {{"file", request.deck}, {"set", request.overrides}, {"text", read_whole_file(request.deck)}};
-  json["build"] = Json::object();
-  for (const auto& [name, text] : build_fields(build_info(""))) json["build"][name] = text;
-  write_text_file(fmt::format("{}/{}.json", request.output, request.tool),
-                  json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  json["build"] = json_of(build_info(""));
+  write_text_file(fmt::format("{}/{}.json", request.output, request.tool), json_text(json));
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 #include "output/summary.h"
 
-#include <cmath>
-
 #include <nlohmann/json.hpp>
 
 #include "output/atomic_file.h"
+#include "output/json_text.h"
 
 namespace repose {
 
@@ -12,14 +11,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // the order of the file is the order of reading
 
-Json number(std::optional<double> value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
-
 Json particles_json(const Summary& summary) {
   Json exits = Json::object();
   Json masses = Json::object();
   for (const ExitSummary& exit : summary.exits) {
     exits[exit.name] = exit.particles;
-    masses[exit.name] = number(exit.mass_kg);
+    masses[exit.name] = json_number(exit.mass_kg);
   }
   return {{"planned", summary.planned},
           {"inserted", summary.inserted},
@@ -69,37 +66,32 @@ Json tilt_onsets_json(const std::vector<TiltOnsetSummary>& onsets) {
 Json timing_json(const Summary& summary) {
   Json stages = Json::object();
   for (const StageSummary& stage : summary.stages) {
-    stages[stage.name] = {{"mean_s", number(stage.mean_seconds)}, {"max_s", number(stage.max_seconds)}};
+    stages[stage.name] = {{"mean_s", json_number(stage.mean_seconds)}, {"max_s", json_number(stage.max_seconds)}};
   }
-  return {{"loop_wall_s", number(summary.loop_wall_seconds)},
-          {"loop_cpu_s", number(summary.loop_cpu_seconds)},
-          {"particle_steps_per_cpu_second", number(summary.particle_steps_per_cpu_second)},
+  return {{"loop_wall_s", json_number(summary.loop_wall_seconds)},
+          {"loop_cpu_s", json_number(summary.loop_cpu_seconds)},
+          {"particle_steps_per_cpu_second", json_number(summary.particle_steps_per_cpu_second)},
           {"checkpoints", summary.checkpoints.written},
-          {"checkpoints_wall_s", number(summary.checkpoints.seconds)},
+          {"checkpoints_wall_s", json_number(summary.checkpoints.seconds)},
           {"stages", stages}};
 }
 
 Json lists_json(const Summary& summary) {
   return {{"rebuilds", summary.list_rebuilds},
           {"inner_selections", summary.inner_selections},
-          {"listed_pairs_per_particle", number(summary.listed_pairs_per_particle)},
-          {"evaluated_pairs_per_particle", number(summary.evaluated_pairs_per_particle)},
+          {"listed_pairs_per_particle", json_number(summary.listed_pairs_per_particle)},
+          {"evaluated_pairs_per_particle", json_number(summary.evaluated_pairs_per_particle)},
           {"ghosts", summary.ghosts},
           {"most_ghosts_of_a_rank", summary.most_ghosts_of_a_rank}};
 }
 
 Json memory_json(const Summary& summary) {
-  return {{"peak_bytes", summary.memory_peak_bytes}, {"bytes_per_particle", number(summary.memory_bytes_per_particle)}};
-}
-
-Json build_json(const BuildInfo& build) {
-  Json fields = Json::object();
-  for (const auto& [name, text] : build_fields(build)) fields[name] = text;
-  return fields;
+  return {{"peak_bytes", summary.memory_peak_bytes},
+          {"bytes_per_particle", json_number(summary.memory_bytes_per_particle)}};
 }
 
 Json area_json(const AreaCount& area) {
-  return {{"from_m", area.from}, {"to_m", number(area.to)}, {"count", area.count}, {"error", area.error}};
+  return {{"from_m", area.from}, {"to_m", json_number(area.to)}, {"count", area.count}, {"error", area.error}};
 }
 
 Json areas_json(const std::vector<AreaCount>& areas) {
@@ -120,16 +112,13 @@ Json scattering_json(const std::optional<Scattering>& s) {
 }
 
 Json pile_json(const PileSummary& pile) {
-  return {{"angle_of_repose_deg", number(pile.angle_of_repose_deg)},
-          {"angle_of_repose_left_deg", number(pile.angle_of_repose_left_deg)},
-          {"angle_of_repose_right_deg", number(pile.angle_of_repose_right_deg)},
-          {"angle_of_repose_stderr_deg", number(pile.angle_of_repose_stderr_deg)},
-          {"pile_height_m", number(pile.pile_height_m)},
+  return {{"angle_of_repose_deg", json_number(pile.angle_of_repose_deg)},
+          {"angle_of_repose_left_deg", json_number(pile.angle_of_repose_left_deg)},
+          {"angle_of_repose_right_deg", json_number(pile.angle_of_repose_right_deg)},
+          {"angle_of_repose_stderr_deg", json_number(pile.angle_of_repose_stderr_deg)},
+          {"pile_height_m", json_number(pile.pile_height_m)},
           {"scattering", scattering_json(pile.scattering)}};
 }
-
-/// Texts come from decks and file systems: bytes that are no UTF-8 must not cost the results.
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace
 
@@ -139,37 +128,37 @@ std::string summary_json(const Summary& summary) {
       {"title", summary.title},
       {"ranks", summary.ranks},
       {"steps", summary.steps},
-      {"time_s", number(summary.time_s)},
-      {"timestep_s", number(summary.timestep_s)},
+      {"time_s", json_number(summary.time_s)},
+      {"timestep_s", json_number(summary.timestep_s)},
       {"timestep_set_by", summary.timestep_set_by},
       {"particles", particles_json(summary)},
       {"sizes", sizes_json(summary.sizes)},
       {"state_hash", summary.state_hash},
-      {"discharged_mass_kg", number(summary.discharged_mass_kg)},
-      {"retained_mass_kg", number(summary.retained_mass_kg)},
-      {"discharge_time_s", number(summary.discharge_time_s)},
-      {"discharge_rate_kg_s", number(summary.discharge_rate_kg_s)},
+      {"discharged_mass_kg", json_number(summary.discharged_mass_kg)},
+      {"retained_mass_kg", json_number(summary.retained_mass_kg)},
+      {"discharge_time_s", json_number(summary.discharge_time_s)},
+      {"discharge_rate_kg_s", json_number(summary.discharge_rate_kg_s)},
       {"plugged", summary.plugged ? Json(*summary.plugged) : Json(nullptr)},
       {"phases", phases_json(summary.phases)},
   };
   json.update(pile_json(summary.pile));
   json.update(Json{
-      {"tilt_onset_deg", number(summary.tilt_onset_deg)},
-      {"tilt_onset_excess_deg", number(summary.tilt_onset_excess_deg)},
+      {"tilt_onset_deg", json_number(summary.tilt_onset_deg)},
+      {"tilt_onset_excess_deg", json_number(summary.tilt_onset_excess_deg)},
       {"tilt_onsets", tilt_onsets_json(summary.tilt_onsets)},
-      {"surface_angle_deg", number(summary.surface_angle_deg)},
-      {"surface_angle_deviation_deg", number(summary.surface_angle_deviation_deg)},
+      {"surface_angle_deg", json_number(summary.surface_angle_deg)},
+      {"surface_angle_deviation_deg", json_number(summary.surface_angle_deviation_deg)},
       {"surface_angle_samples", summary.surface_angle_samples},
       {"restarts", summary.restarts},
-      {"wall_seconds", number(summary.wall_seconds)},
-      {"particle_steps_per_second", number(summary.particle_steps_per_second)},
+      {"wall_seconds", json_number(summary.wall_seconds)},
+      {"particle_steps_per_second", json_number(summary.particle_steps_per_second)},
       {"timing", timing_json(summary)},
       {"lists", lists_json(summary)},
       {"memory", memory_json(summary)},
-      {"build", build_json(summary.build)},
+      {"build", json_of(summary.build)},
       {"deck", summary.deck},
   });
-  return text_of(json);
+  return json_text(json);
 }
 
 std::string measurement_json(const MeasurementSummary& m) {
@@ -177,11 +166,11 @@ std::string measurement_json(const MeasurementSummary& m) {
                {"title", m.title},
                {"particles", m.particles},
                {"left", m.left ? Json(*m.left) : Json(nullptr)},
-               {"discharged_mass_kg", number(m.discharged_mass_kg)},
-               {"retained_mass_kg", number(m.retained_mass_kg)}};
+               {"discharged_mass_kg", json_number(m.discharged_mass_kg)},
+               {"retained_mass_kg", json_number(m.retained_mass_kg)}};
   json.update(pile_json(m.pile));
-  json.update(Json{{"build", build_json(m.build)}, {"deck", m.deck}});
-  return text_of(json);
+  json.update(Json{{"build", json_of(m.build)}, {"deck", m.deck}});
+  return json_text(json);
 }
 
 void write_summary(const std::string& path, const Summary& summary) { write_text_file(path, summary_json(summary)); }

@@ -60,9 +60,12 @@ std::string read_shared_file(const Communicator& comm, const std::string& path) 
   return text;
 }
 
+std::string path_beside(const std::string& deck_path, const std::string& file) {
+  return (std::filesystem::path(deck_path).parent_path() / file).string();
+}
+
 ReadFile reader_beside(const Communicator& comm, const std::string& deck_path) {
-  const std::filesystem::path folder = std::filesystem::path(deck_path).parent_path();
-  return [&comm, folder](const std::string& file) { return read_shared_file(comm, (folder / file).string()); };
+  return [&comm, deck_path](const std::string& file) { return read_shared_file(comm, path_beside(deck_path, file)); };
 }
 
 }  // namespace repose

@@ -1,8 +1,5 @@
 #include "validate.h"
 
-#include <cmath>
-#include <filesystem>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +8,7 @@
 #include "output/agreement.h"
 #include "output/atomic_file.h"
 #include "output/directory.h"
+#include "output/json_text.h"
 #include "shared_file.h"
 #include "summary_figures.h"
 
@@ -46,16 +44,13 @@ Display display_of(const std::string& figure) {
   return {name + shown, factor};
 }
 
-Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-std::optional<double> given(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
-
 Json comparison_json(const ComparisonDeck& c, const Json& summary) {
   return {{"figure", c.figure},
-          {"here", json_of(figure_in(summary, c.figure))},
-          {"error", json_of(error_in(summary, c.figure))},
+          {"here", json_number(figure_in(summary, c.figure))},
+          {"error", json_number(error_in(summary, c.figure))},
           {"laboratory", c.laboratory},
-          {"deviation", json_of(given(c.deviation))},
-          {"published", json_of(given(c.published))}};
+          {"deviation", json_number(c.deviation)},
+          {"published", json_number(c.published)}};
 }
 
 std::string cell(const Json& value, const Json& error, double factor) {
@@ -89,7 +84,7 @@ std::string table_of(const ValidationDeck& deck, const Json& cases) {
 Json run_case(const Communicator& comm, const ValidationCaseDeck& one, const RunRequest& request,
               const StopAsked& stop_asked) {
   RunRequest run = request;
-  run.deck = (std::filesystem::path(request.deck).parent_path() / one.deck).string();
+  run.deck = path_beside(request.deck, one.deck);
   run.overrides = one.set;
   run.overrides.insert(run.overrides.end(), request.overrides.begin(), request.overrides.end());
   run.output = fmt::format("{}/{}", request.output, one.name);
@@ -122,11 +117,11 @@ std::string validate_file(const Communicator& comm, const RunRequest& request, c
   std::string table;
   agree_after_root(comm, [&] {
     table = table_of(deck, cases);
-    Json build = Json::object();
-    for (const auto& [name, text] : build_fields(build_info(to_string(request.level)))) build[name] = text;
-    const Json all = {{"title", deck.title}, {"published", deck.published}, {"cases", cases}, {"build", build}};
-    write_text_file(request.output + "/validation.json",
-                    all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    const Json all = {{"title", deck.title},
+                      {"published", deck.published},
+                      {"cases", cases},
+                      {"build", json_of(build_info(to_string(request.level)))}};
+    write_text_file(request.output + "/validation.json", json_text(all));
     write_text_file(request.output + "/validation.md", table);
   });
   return table;

@@ -51,13 +51,19 @@ Points rounded(Points points) {
 
 /// Collective. The points of rank 0 on all ranks.
 void broadcast(const Communicator& world, Points& points, std::size_t parameters) {
-  auto count = static_cast<std::int64_t>(points.size());
-  world.broadcast(count);
-  points.resize(static_cast<std::size_t>(count), std::vector<double>(parameters));
-  for (std::vector<double>& point : points) {
-    for (double& value : point) world.broadcast(value);
+  std::vector<double> values;
+  for (const std::vector<double>& point : points) values.insert(values.end(), point.begin(), point.end());
+  world.broadcast(values);
+  points.clear();
+  for (auto at = values.begin(); at != values.end(); at += static_cast<std::ptrdiff_t>(parameters)) {
+    points.emplace_back(at, at + static_cast<std::ptrdiff_t>(parameters));
   }
 }
+
+struct DoneRuns {
+  std::vector<StudyRun> runs;
+  std::vector<RunRecord> records;  ///< on rank 0
+};
 
 /// Does the runs at all points so far.
 struct Work {
@@ -66,7 +72,7 @@ struct Work {
   const StopAsked& stop_asked;
   CampaignEffort effort{};
 
-  std::pair<std::vector<StudyRun>, std::vector<RunRecord>> at(const Points& points) {
+  DoneRuns at(const Points& points) {
     std::vector<StudyRun> runs = runs_at(plan.study, points);
     agree_after_root(world, [&] { check_campaign(plan, runs); });
     CampaignEffort now;
@@ -84,17 +90,17 @@ struct Work {
 
 /// Collective. Points decided batch after batch, each from the complete batches before alone: so neither ranks nor
 /// timing can change them. Ends when two estimates in a row are narrow enough, or at the budget.
-Points search(const CalibrationDeck& deck, Work& work) {
+DoneRuns search(const CalibrationDeck& deck, Work& work) {
   constexpr std::uint64_t design_seed = 1;
   const AdaptiveDeck& a = deck.adaptive;
   const std::vector<ParameterRange> ranges = ranges_of(deck.study);
   Points points = rounded(start_design(ranges, static_cast<std::size_t>(a.start), design_seed));
   int narrow = 0;
   while (true) {
-    const auto [runs, records] = work.at(points);
+    DoneRuns done = work.at(points);
     Points more;
     agree_after_root(work.world, [&] {
-      const Misfit misfit(ranges, places_of(runs), observable_data(deck, records));
+      const Misfit misfit(ranges, places_of(done.runs), observable_data(deck, done.records));
       const Estimate now = estimate(misfit, deck.confidence);
       narrow = now.half_width && *now.half_width <= a.half_width ? narrow + 1 : 0;
       work.plan.log.say(fmt::format("{} points: {}", points.size(), progress_of(now)));
@@ -104,7 +110,7 @@ Points search(const CalibrationDeck& deck, Work& work) {
                                  static_cast<std::size_t>(deck.study.seeds)));
     });
     broadcast(work.world, more, ranges.size());
-    if (more.empty()) return points;
+    if (more.empty()) return done;
     points.insert(points.end(), more.begin(), more.end());
   }
 }
@@ -128,8 +134,7 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
     write_text_file(request.output + deck_file, text);
   });
   Work work{world, plan, stop_asked};
-  const Points points = deck.adaptive.enabled ? search(deck, work) : points_of(deck);
-  const auto [runs, records] = work.at(points);
+  const auto [runs, records] = deck.adaptive.enabled ? search(deck, work) : work.at(points_of(deck));
   std::string report;
   agree_after_root(world, [&] {
     report = write_estimate(deck, runs, records, request.output);
@@ -145,8 +150,7 @@ std::string estimate_directory(const Communicator& world, const std::string& dir
   agree_after_root(world, [&] {
     const std::vector<std::string> figures = figures_of(deck);
     const std::vector<StudyRun> runs = runs_in(directory + "/runs", deck.study);
-    std::vector<RunRecord> records;
-    for (const StudyRun& run : runs) records.push_back(read_run_folder(directory + "/runs/" + run.name, figures));
+    const std::vector<RunRecord> records = read_run_folders(directory, runs, figures);
     report = write_estimate(deck, runs, records, directory);
   });
   return report;

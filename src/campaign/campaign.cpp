@@ -57,7 +57,7 @@ class Group {
 
   /// False when it was stopped.
   bool do_run(const StudyRun& run) {
-    const std::string folder = folder_of(plan_, run);
+    const std::string folder = folder_of(plan_.directory, run);
     LogFile log;
     try {
       agree_after_root(comm_, [&] {
@@ -109,13 +109,6 @@ class Group {
   WallClock::time_point last_asked_ = WallClock::now();
 };
 
-/// The records as the folders have them.
-std::vector<RunRecord> records_of(const CampaignPlan& plan, std::span<const StudyRun> runs) {
-  std::vector<RunRecord> records;
-  for (const StudyRun& run : runs) records.push_back(read_run_folder(folder_of(plan, run), plan.figures));
-  return records;
-}
-
 /// Particles times steps; alike for all runs that differ in the laws of the contacts alone. What cannot be set up will
 /// say so when it is run.
 double work_of(const CampaignPlan& plan, const StudyRun& run) {
@@ -124,9 +117,8 @@ double work_of(const CampaignPlan& plan, const StudyRun& run) {
   if (std::all_of(parameters.begin(), parameters.end(), is_of_pair)) return 1.0;
   try {
     const Deck deck = read_deck(read_whole_file(plan.base), plan.base, run.overrides);
-    return most_particle_steps(deck, [&](const std::string& name) {
-      return read_whole_file((std::filesystem::path(plan.base).parent_path() / name).string());
-    });
+    return most_particle_steps(deck,
+                               [&](const std::string& file) { return read_whole_file(path_beside(plan.base, file)); });
   } catch (const Error&) {
     return 0.0;
   }
@@ -137,17 +129,10 @@ std::vector<std::size_t> shared_order(const Communicator& world, const CampaignP
                                       std::span<const StudyRun> runs) {
   std::vector<std::size_t> order;
   agree_after_root(world, [&] {
-    order = longest_first(runs, records_of(plan, runs), plan.study.parameters,
+    order = longest_first(runs, read_run_folders(plan.directory, runs, plan.figures), plan.study.parameters,
                           [&](const StudyRun& run) { return work_of(plan, run); });
   });
-  auto count = static_cast<std::int64_t>(order.size());
-  world.broadcast(count);
-  order.resize(static_cast<std::size_t>(count));
-  for (std::size_t& which : order) {
-    auto value = static_cast<std::int64_t>(which);
-    world.broadcast(value);
-    which = static_cast<std::size_t>(value);
-  }
+  world.broadcast(order);
   return order;
 }
 
@@ -165,7 +150,7 @@ void wait_for_all(const Communicator& world, CampaignWatch* watch) {
 CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
                      const RunRequest& request) {
   CampaignPlan plan{study, deck_text, "", std::move(figures), request.output, request.level, request.log};
-  plan.base = (std::filesystem::path(request.deck).parent_path() / study.base).string();
+  plan.base = path_beside(request.deck, study.base);
   plan.study.set.insert(plan.study.set.end(), request.overrides.begin(), request.overrides.end());
   return plan;
 }
@@ -183,7 +168,7 @@ void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
     if (&run == &runs.front()) {
       for (const std::string& figure : plan.figures) require_figure(deck, figure);
     }
-    const std::string folder = folder_of(plan, run);
+    const std::string folder = folder_of(plan.directory, run);
     const std::string before = folder + "/deck.resolved.toml";
     if (!std::filesystem::exists(before)) continue;
     refuse_other_deck(folder, read_whole_file(before), resolved_deck(deck), std::numeric_limits<std::size_t>::max());
@@ -202,7 +187,7 @@ std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPla
   const Communicator comm(world, group_of(world.rank(), world.size(), groups));
   SharedCounters counters(world, campaign_counters);
   std::optional<CampaignWatch> watch;
-  if (world.is_root()) watch.emplace(plan, runs, order, counters, groups);
+  if (world.is_root()) watch.emplace(plan, runs, order, counters);
   CampaignWatch* const my_watch = watch ? &*watch : nullptr;
 
   const WallClock::time_point start = WallClock::now();

@@ -8,11 +8,9 @@
 
 namespace repose {
 
-std::string folder_of(const CampaignPlan& plan, const StudyRun& run) { return plan.directory + "/runs/" + run.name; }
-
 CampaignWatch::CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs,
-                             std::span<const std::size_t> order, SharedCounters& counters, int groups)
-    : plan_(plan), runs_(runs), order_(order), counters_(counters), groups_(groups) {}
+                             std::span<const std::size_t> order, SharedCounters& counters)
+    : plan_(plan), runs_(runs), order_(order), counters_(counters) {}
 
 void CampaignWatch::look() {
   constexpr double patience = 2.0;  // s
@@ -44,8 +42,7 @@ std::string CampaignWatch::progress(std::int64_t finished, std::int64_t failed, 
 
 std::vector<RunRecord> CampaignWatch::write_tables() {
   const std::int64_t drawn = std::min(counters_.read(next_run), std::ssize(order_));
-  std::vector<RunRecord> records;
-  for (const StudyRun& run : runs_) records.push_back(read_run_folder(folder_of(plan_, run), plan_.figures));
+  std::vector<RunRecord> records = read_run_folders(plan_.directory, runs_, plan_.figures);
   for (std::int64_t k = 0; k < drawn; ++k) {
     RunRecord& record = records[order_[static_cast<std::size_t>(k)]];
     if (record.state == RunState::waiting) record.state = RunState::running;

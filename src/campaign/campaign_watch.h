@@ -17,7 +17,7 @@ class CampaignWatch {
  public:
   /// `order`: the runs that are drawn, one after the other. Refers to its arguments.
   CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs, std::span<const std::size_t> order,
-                SharedCounters& counters, int groups);
+                SharedCounters& counters);
 
   /// A progress line and new tables when runs have ended since the last, at most every few seconds.
   void look();
@@ -31,13 +31,9 @@ class CampaignWatch {
   std::span<const StudyRun> runs_;
   std::span<const std::size_t> order_;
   SharedCounters& counters_;
-  int groups_;
   WallClock::time_point start_ = WallClock::now();
   WallClock::time_point last_look_ = start_;
   std::int64_t last_finished_ = -1;
 };
-
-/// runs/NAME in the directory.
-std::string folder_of(const CampaignPlan& plan, const StudyRun& run);
 
 }  // namespace repose

@@ -8,17 +8,16 @@
 
 #include "campaign/observables.h"
 #include "campaign/surface_json.h"
+#include "output/json_text.h"
 
 namespace repose {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json list_of(std::span<const double> values) {
   Json list = Json::array();
-  for (const double value : values) list.push_back(finite(value));
+  for (const double value : values) list.push_back(json_number(value));
   return list;
 }
 
@@ -45,7 +44,7 @@ Json point_json(const CalibratedPoint& point) {
           {"part", point.part}};
 }
 
-Json observable_json(const ObservableDeck& deck, const ObservableData& data, const std::vector<double>& nearest) {
+Json observable_json(const ObservableDeck& deck, const ObservableData& data, double off_by) {
   const auto runs = std::count_if(data.values.begin(), data.values.end(), [](double v) { return !std::isnan(v); });
   return {{"figure", deck.figure},
           {"laboratory", deck.laboratory},
@@ -53,7 +52,7 @@ Json observable_json(const ObservableDeck& deck, const ObservableData& data, con
           {"repeats", deck.repeats},
           {"standard_error", data.laboratory.standard_error()},
           {"runs", runs},
-          {"nearest_off_by", nearest.empty() ? Json(nullptr) : finite(nearest.front())}};
+          {"nearest_off_by", json_number(off_by)}};
 }
 
 std::string interval_text(const ConfidenceInterval& i) {
@@ -116,9 +115,7 @@ Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, st
   }
   Json observables = Json::array();
   for (std::size_t k = 0; k < data.size(); ++k) {
-    std::vector<double> off;
-    if (k < result.nearest.off_by.size()) off.push_back(result.nearest.off_by[k]);
-    observables.push_back(observable_json(deck.observables[k], data[k], off));
+    observables.push_back(observable_json(deck.observables[k], data[k], result.nearest.off_by[k]));
   }
   Json points = Json::array();
   for (const CalibratedPoint& point : result.points) points.push_back(point_json(point));
@@ -134,11 +131,11 @@ Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, st
                {"parts", parts},
                {"nearest",
                 {{"values", result.nearest.values},
-                 {"misfit", finite(result.nearest.misfit)},
+                 {"misfit", json_number(result.nearest.misfit)},
                  {"acceptable", result.nearest.acceptable}}},
-               {"half_width", result.half_width ? Json(*result.half_width) : Json(nullptr)}};
+               {"half_width", json_number(result.half_width)}};
   if (misfit.parameters() == 2) json["surfaces"] = surface_json(misfit, deck, result.limit);
-  return {text_of(deck, result, records), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"};
+  return {text_of(deck, result, records), json_text(json, 1)};
 }
 
 std::string progress_of(const Estimate& estimate) {

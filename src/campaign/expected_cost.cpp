@@ -20,7 +20,9 @@ double squared_distance(const StudyRun& a, const StudyRun& b, std::span<const Pa
 
 std::vector<std::size_t> longest_first(std::span<const StudyRun> runs, std::span<const RunRecord> records,
                                        std::span<const ParameterDeck> parameters, const WorkOf& work_of) {
-  std::map<std::vector<double>, double> work;  // that of one seed is that of all
+  const auto waits = [](const RunRecord& record) { return record.state == RunState::waiting; };
+  if (std::none_of(records.begin(), records.end(), waits)) return {};  // the work of a run takes its set-up
+  std::map<std::vector<double>, double> work;                          // that of one seed is that of all
   for (const StudyRun& run : runs) {
     if (!work.contains(run.values)) work[run.values] = std::max(work_of(run), 1.0);
   }

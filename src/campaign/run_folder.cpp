@@ -8,6 +8,7 @@
 
 #include "output/atomic_file.h"
 #include "output/directory.h"
+#include "output/json_text.h"
 #include "shared_file.h"
 #include "summary_figures.h"
 
@@ -68,10 +69,19 @@ RunRecord read_run_folder(const std::string& folder, std::span<const std::string
   return record;
 }
 
+std::string folder_of(const std::string& directory, const StudyRun& run) { return directory + "/runs/" + run.name; }
+
+std::vector<RunRecord> read_run_folders(const std::string& directory, std::span<const StudyRun> runs,
+                                        std::span<const std::string> figures) {
+  std::vector<RunRecord> records;
+  for (const StudyRun& run : runs) records.push_back(read_run_folder(folder_of(directory, run), figures));
+  return records;
+}
+
 void write_failure(const std::string& folder, ExitCode code, const std::string& reason) {
   const Json json = {{"status", "failed"}, {"code", static_cast<int>(code)}, {"reason", reason}};
   create_output_directory(folder);
-  write_text_file(folder + failure_file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_text_file(folder + failure_file, json_text(json));
 }
 
 void remove_failure(const std::string& folder) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "campaign/run_list.h"
 
 namespace repose {
 
@@ -28,6 +29,13 @@ struct RunRecord {
 /// Reads a run's folder, which need not exist. A run that failed for what may be gone by now (a full disk, a deck that
 /// was wrong) waits again; one whose physics broke would break again. FileError when a file cannot be read.
 RunRecord read_run_folder(const std::string& folder, std::span<const std::string> figures);
+
+/// The folder of a run in the directory of its study: runs/NAME.
+std::string folder_of(const std::string& directory, const StudyRun& run);
+
+/// Reads the folders of all runs.
+std::vector<RunRecord> read_run_folders(const std::string& directory, std::span<const StudyRun> runs,
+                                        std::span<const std::string> figures);
 
 /// Notes in the folder why its run has failed.
 void write_failure(const std::string& folder, ExitCode code, const std::string& reason);

@@ -14,6 +14,7 @@
 #include "output/agreement.h"
 #include "output/atomic_file.h"
 #include "output/directory.h"
+#include "output/json_text.h"
 #include "shared_file.h"
 
 namespace repose {
@@ -49,11 +50,10 @@ std::vector<std::size_t> join(const Points& points, Points& all) {
   return places;
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 std::string shown(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string("none"); }
 
 Json sample_json(const SeedSample& s) {
-  return {{"mean", number(s.mean)}, {"deviation", number(s.deviation)}, {"runs", s.runs}};
+  return {{"mean", json_number(s.mean)}, {"deviation", json_number(s.deviation)}, {"runs", s.runs}};
 }
 
 /// The runs of a study, point after point, and their values of a figure.
@@ -76,8 +76,8 @@ void add_one_at_a_time(const Results& results, std::span<const std::size_t> plac
                     {"parameter", p.name},
                     {"lower", sample_json(e.lower)},
                     {"upper", sample_json(e.upper)},
-                    {"effect", number(e.effect)},
-                    {"standard_error", number(e.standard_error)}});
+                    {"effect", json_number(e.effect)},
+                    {"standard_error", json_number(e.standard_error)}});
     text += fmt::format("| {} | {} | {} | {} | {} +- {} |\n", figure, p.name, shown(e.lower.mean), shown(e.upper.mean),
                         shown(e.effect), shown(e.standard_error));
   }
@@ -93,11 +93,11 @@ void add_morris(const Results& results, const Points& points, std::span<const st
     const std::string& name = results.study.parameters[k].name;
     json.push_back({{"figure", figure},
                     {"parameter", name},
-                    {"mu", number(e.mean)},
-                    {"mu_star", number(e.mean_absolute)},
-                    {"sigma", number(e.deviation)},
-                    {"mu_error", number(e.mean_error)},
-                    {"mu_star_error", number(e.mean_absolute_error)},
+                    {"mu", json_number(e.mean)},
+                    {"mu_star", json_number(e.mean_absolute)},
+                    {"sigma", json_number(e.deviation)},
+                    {"mu_error", json_number(e.mean_error)},
+                    {"mu_star_error", json_number(e.mean_absolute_error)},
                     {"effects", e.effects}});
     text += fmt::format("| {} | {} | {} +- {} | {} | {} |\n", figure, name, shown(e.mean_absolute),
                         shown(e.mean_absolute_error), shown(e.mean), shown(e.deviation));
@@ -144,7 +144,7 @@ Effects effects_of(const SensitivityDeck& deck, const Design& design, std::span<
                      {"parameters", parameters},
                      {"one_at_a_time", one_at_a_time},
                      {"morris", screening}};
-  return {json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", deck.morris.enabled ? text + morris : text};
+  return {json_text(json, 1), deck.morris.enabled ? text + morris : text};
 }
 
 }  // namespace

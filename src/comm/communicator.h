@@ -4,6 +4,7 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <mpi.h>
@@ -103,6 +104,9 @@ class Communicator {
   void broadcast(T& value, int root = 0) const {
     check_mpi(MPI_Bcast(&value, 1, mpi_type<T>(), root, comm_), "MPI_Bcast");
   }
+  /// Of any length; the other ranks need not know it.
+  template <class T>
+  void broadcast(std::vector<T>& values, int root = 0) const;
   /// MPI counts in 32 bits: what is longer than `piece` bytes travels in pieces.
   static constexpr std::size_t longest_piece = std::size_t{1} << 30;
   void broadcast(std::string& text, int root = 0, std::size_t piece = longest_piece) const;
@@ -129,6 +133,15 @@ class Communicator {
   int rank_ = 0;
   int size_ = 1;
 };
+
+template <class T>
+void Communicator::broadcast(std::vector<T>& values, int root) const {
+  static_assert(std::is_trivially_copyable_v<T>);
+  std::string bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  broadcast(bytes, root);
+  values.resize(bytes.size() / sizeof(T));
+  if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+}
 
 /// Collective. A barrier that can be asked whether all ranks have come to it, instead of holding this one.
 class PatientBarrier {

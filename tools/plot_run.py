@@ -22,8 +22,8 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first: the
 STYLE = {"font.size": 9, "axes.grid": True, "grid.color": "0.9", "axes.axisbelow": True, "legend.frameon": False,
          "legend.fontsize": 8, "lines.linewidth": 1.3, "pdf.fonttype": 42, "figure.constrained_layout.use": True}
 WIDTH, HEIGHT = 4.6, 3.0  # inches; a column and a half of a journal
-ENERGIES = (("gravitational", "gravitational, above its least"), ("translational", "kinetic, translation"), ("rotational", "kinetic, rotation"),
-            ("elastic", "elastic, contacts"))
+ENERGIES = (("gravitational", "gravitational, above its least"), ("translational", "kinetic, translation"),
+            ("rotational", "kinetic, rotation"), ("elastic", "elastic, contacts"))
 
 
 def read_table(folder, name):

@@ -171,6 +171,9 @@ bool Hdf5Reader::has(const std::string& object) const {
 
 std::vector<std::string> Hdf5Reader::read_text_rows(const std::string& dataset) const {
   const Hdf5Type type(check_hdf5(H5Dget_type(open(dataset).get()), name_, "read " + dataset));
+  if (H5Tget_class(type.get()) != H5T_STRING) {
+    throw FileError(fmt::format("{}: cannot read {}: it is not of texts", name_, dataset));
+  }
   const std::size_t length = H5Tget_size(type.get());
   std::string rows;
   read_rows(dataset, 1, 0, this->rows(dataset), type.get(), [&](std::size_t count) {

@@ -170,7 +170,13 @@ class Info(unittest.TestCase):
             file["something"] = 1
         with h5py.File(self.path("pretender.hdf"), "w") as file:
             file.attrs.update(state_hash="0", inserted=1, deck="[[", build_version="1", build_commit="1", build_compiler="1")
-        for name, message in (("cut.hdf", "cut.hdf: "), ("flipped.hdf", "flipped.hdf: .*checksum"),
+        with h5py.File(self.path("states.hdf"), "w") as file:
+            file.attrs.update(deck="", build_version="1", build_commit="1", build_compiler="1")
+            for name in ("parameters", "figures"):
+                file["runs/" + name] = [[1.0]]
+                file["runs/" + name].attrs.create("names", ["a"], dtype=h5py.string_dtype())
+            file["runs/state"] = [1.0, 2.0]
+        for name, message in (("states.hdf", "state: it is not of texts"), ("cut.hdf", "cut.hdf: "), ("flipped.hdf", "flipped.hdf: .*checksum"),
                               ("other.hdf", "neither a snapshot nor a checkpoint"), ("pretender.hdf", "cannot read"),
                               ("missing.hdf", "No such file")):
             self.refused("info", self.path(name), message=message)

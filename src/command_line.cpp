@@ -50,6 +50,22 @@ CLI::App* add_measure(CLI::App& app, CommandLine& line) {
   return measure;
 }
 
+CLI::App* add_info(CLI::App& app, CommandLine& line) {
+  CLI::App* info = app.add_subcommand("info", "what is in a snapshot, a checkpoint or the grid of a calibration");
+  info->add_option("FILE", line.file, "snapshot or checkpoint (.hdf), or grid.h5")->required();
+  return info;
+}
+
+CLI::App* add_export(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("export", "write the grains of a snapshot for other programs");
+  command->add_option("SNAPSHOT", line.file, "snapshot (.hdf)")->required();
+  command->add_option("--format", line.format, "vtp: PolyData of VTK; csv: a list that measure and decks read")
+      ->required()
+      ->check(CLI::IsMember({"vtp", "csv"}));
+  command->add_option("--output", line.output, "file to write")->required()->type_name("FILE");
+  return command;
+}
+
 /// What the commands that run decks have in common.
 void add_run_options(CLI::App& command, CommandLine& line) {
   command.add_option("--output", line.output, "directory of the results")->required()->type_name("DIR");
@@ -135,6 +151,8 @@ CommandLine parse_command_line(int argc, char** argv) {
   CLI::App* check = app.add_subcommand("check", "resolve a deck and print what a run would take");
   add_deck_options(*check, line);
   const CLI::App* measure = add_measure(app, line);
+  const CLI::App* info = add_info(app, line);
+  const CLI::App* exported = add_export(app, line);
   const CLI::App* validate =
       add_study(app, line, "validate", "run cases and compare their figures with those of a laboratory",
                 "cases and values to compare with (TOML)");
@@ -160,6 +178,8 @@ CommandLine parse_command_line(int argc, char** argv) {
   if (run->parsed()) line.action = CommandLine::Action::run;
   if (check->parsed()) line.action = CommandLine::Action::check;
   if (measure->parsed()) line.action = CommandLine::Action::measure;
+  if (info->parsed()) line.action = CommandLine::Action::info;
+  if (exported->parsed()) line.action = CommandLine::Action::export_file;
   if (validate->parsed()) line.action = CommandLine::Action::validate;
   if (calibrate->parsed()) line.action = CommandLine::Action::calibrate;
   if (estimate->parsed()) line.action = CommandLine::Action::estimate;

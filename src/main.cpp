@@ -12,6 +12,7 @@
 #include "command_line.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
+#include "info.h"
 #include "measure.h"
 #include "pile_measurement.h"
 #include "run_file.h"
@@ -101,6 +102,10 @@ void dispatch(const Communicator& comm, const CommandLine& command, StopRequest&
       return say(comm, sensitivity_file(comm, request_of(command), stop_asked));
     case CommandLine::Action::measure:
       return measure(comm, command);
+    case CommandLine::Action::info:
+      return say(comm, info_of_file(comm, command.file));
+    case CommandLine::Action::export_file:
+      return say(comm, export_snapshot(comm, command.file, command.format, command.output));
     case CommandLine::Action::thermal:
       return thermal(comm, command);
     case CommandLine::Action::keys:

@@ -32,7 +32,7 @@ for option in "$@"; do
   esac
 done
 
-set_up run-tests "${build_packages[@]}" "${test_packages[@]}"
+set_up run-tests "${build_packages[@]}" "${test_packages[@]}" "${slurm_packages[@]}"
 build ci
 run_ctest ci "${chosen[@]}"
 if [[ -n ${everything_sanitized:-} ]]; then

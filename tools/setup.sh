@@ -15,7 +15,11 @@ export PATH="/usr/sbin:/usr/bin:/sbin:/bin:$PATH"
 build_packages=(g++ cmake ninja-build pkg-config git libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libeigen3-dev
   libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libpng-dev zlib1g-dev libgtest-dev python3)
 # shellcheck disable=SC2034
-test_packages=(python3-matplotlib python3-numpy python3-h5py python3-vtk9 valgrind clang libclang-rt-14-dev)
+test_packages=(python3-matplotlib python3-numpy python3-h5py python3-vtk9 valgrind clang libclang-rt-14-dev
+  groff-base)
+# The test of the job scripts is skipped without them.
+# shellcheck disable=SC2034
+slurm_packages=(slurm-wlm munge)
 
 # stage TITLE COMMAND...: runs the command into the log and prints how long it took. A failure prints the end of the log
 # and ends the script.

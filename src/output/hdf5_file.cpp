@@ -188,8 +188,9 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& nam
 }
 
 void Hdf5File::write_ascii_attribute(const std::string& object, const std::string& name, const std::string& text) {
-  write_attribute(object, name, text_type(text.size() + 1, H5T_CSET_ASCII).get(), Hdf5Space(H5Screate(H5S_SCALAR)),
-                  text.c_str());
+  const Hdf5Type type = text_type(text.size(), H5T_CSET_ASCII);
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);  // the reader of VTK 9.2 takes a zero at the end for a part of the text
+  write_attribute(object, name, type.get(), Hdf5Space(H5Screate(H5S_SCALAR)), text.c_str());
 }
 
 void Hdf5File::write_rows(const std::string& dataset, hid_t type, const void* values, std::size_t size, RowBlock block,

@@ -21,6 +21,10 @@ Hdf5Properties access_properties() {
 
 herr_t refuse_link(const char*, const char*, const char*, const char*, unsigned*, hid_t, void*) { return -1; }
 
+const char* name_of(H5T_class_t wanted) {
+  return wanted == H5T_FLOAT ? "real numbers" : wanted == H5T_STRING ? "texts" : "integers";
+}
+
 /// What is in a file about an array, and what keeps it from being read.
 class Inspection {
  public:
@@ -40,8 +44,8 @@ class Inspection {
 
   /// Empty: nothing.
   std::string problem(H5T_class_t wanted, int columns) const {
-    if (H5Tget_class(type_.get()) != wanted)
-      return wanted == H5T_FLOAT ? "is not of real numbers" : "is not of integers";
+    if (H5Tget_class(type_.get()) != wanted) return std::string("is not of ") + name_of(wanted);
+    if (wanted == H5T_STRING && H5Tis_variable_str(type_.get()) > 0) return "is of texts without a length";
     if (dimensions_ != (columns == 1 ? 1 : 2) || size_[1] != static_cast<hsize_t>(columns))
       return "has not the right columns";
     if (is_elsewhere()) return "lies in another file";
@@ -124,22 +128,62 @@ std::string Hdf5Reader::read_text(const std::string& name) const {
   return texts.front();
 }
 
-std::vector<std::string> Hdf5Reader::read_texts(const std::string& name) const {
-  const std::string action = "read the attribute " + name;
-  const Hdf5Attribute attribute(check_hdf5(H5Aopen(file_.get(), name.c_str(), H5P_DEFAULT), name_, action));
-  const Hdf5Space space(check_hdf5(H5Aget_space(attribute.get()), name_, action));
-  const Hdf5Type type(check_hdf5(H5Aget_type(attribute.get()), name_, action));
-  const auto count = static_cast<std::size_t>(check_hdf5(H5Sget_simple_extent_npoints(space.get()), name_, action));
-  if (H5Tis_variable_str(type.get()) <= 0 || count > bytes_) {
-    throw FileError(fmt::format("{}: cannot {}: it is not of texts", name_, action));
+namespace {
+
+std::vector<std::string> texts_of(const Hdf5Attribute& attribute, std::uint64_t bytes, const std::string& file,
+                                  const std::string& action) {
+  const Hdf5Space space(check_hdf5(H5Aget_space(attribute.get()), file, action));
+  const Hdf5Type type(check_hdf5(H5Aget_type(attribute.get()), file, action));
+  const auto count = static_cast<std::size_t>(check_hdf5(H5Sget_simple_extent_npoints(space.get()), file, action));
+  if (H5Tis_variable_str(type.get()) <= 0 || count > bytes) {
+    throw FileError(fmt::format("{}: cannot {}: it is not of texts", file, action));
   }
   std::vector<char*> pointers(count, nullptr);
   std::vector<std::string> texts(count);
-  check_hdf5(H5Aread(attribute.get(), type.get(), pointers.data()), name_, action);
+  check_hdf5(H5Aread(attribute.get(), type.get(), pointers.data()), file, action);
   for (std::size_t k = 0; k < count; ++k) {
     if (pointers[k] != nullptr) texts[k] = pointers[k];
   }
   H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, pointers.data());
+  return texts;
+}
+
+}  // namespace
+
+std::vector<std::string> Hdf5Reader::read_texts(const std::string& name) const {
+  const std::string action = "read the attribute " + name;
+  return texts_of(Hdf5Attribute(check_hdf5(H5Aopen(file_.get(), name.c_str(), H5P_DEFAULT), name_, action)), bytes_,
+                  name_, action);
+}
+
+std::vector<std::string> Hdf5Reader::read_texts(const std::string& name, const std::string& dataset) const {
+  const std::string action = fmt::format("read the attribute {} of {}", name, dataset);
+  const Hdf5Dataset handle = open(dataset);
+  return texts_of(Hdf5Attribute(check_hdf5(H5Aopen(handle.get(), name.c_str(), H5P_DEFAULT), name_, action)), bytes_,
+                  name_, action);
+}
+
+bool Hdf5Reader::has_attribute(const std::string& name) const { return H5Aexists(file_.get(), name.c_str()) > 0; }
+
+bool Hdf5Reader::has(const std::string& object) const {
+  return H5Lexists(file_.get(), object.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> Hdf5Reader::read_text_rows(const std::string& dataset) const {
+  const Hdf5Type type(check_hdf5(H5Dget_type(open(dataset).get()), name_, "read " + dataset));
+  if (H5Tget_class(type.get()) != H5T_STRING) {
+    throw FileError(fmt::format("{}: cannot read {}: it is not of texts", name_, dataset));
+  }
+  const std::size_t length = H5Tget_size(type.get());
+  std::string rows;
+  read_rows(dataset, 1, 0, this->rows(dataset), type.get(), [&](std::size_t count) {
+    rows.resize(count * length);
+    return static_cast<void*>(rows.data());
+  });
+  std::vector<std::string> texts;
+  for (std::size_t begin = 0; begin < rows.size(); begin += length) {
+    texts.emplace_back(rows.substr(begin, length).c_str());  // up to the zeros that fill it
+  }
   return texts;
 }
 

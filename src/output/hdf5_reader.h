@@ -25,6 +25,11 @@ class Hdf5Reader {
   double read_real(const std::string& name) const;
   std::string read_text(const std::string& name) const;
   std::vector<std::string> read_texts(const std::string& name) const;
+  bool has_attribute(const std::string& name) const;
+  /// An attribute of an array.
+  std::vector<std::string> read_texts(const std::string& name, const std::string& dataset) const;
+  /// Whether there is a group or an array of this name right below the root.
+  bool has(const std::string& object) const;
 
   /// Rows of an array of one or two dimensions. With T = double an array of real numbers is expected, else one of
   /// integers.
@@ -43,6 +48,8 @@ class Hdf5Reader {
   std::vector<T> read_rows(const std::string& dataset, int columns) const {
     return read_rows<T>(dataset, columns, 0, rows(dataset));
   }
+  /// A column of texts as Hdf5File::write_texts makes it.
+  std::vector<std::string> read_text_rows(const std::string& dataset) const;
 
  private:
   Hdf5Reader(Hdf5FileHandle file, std::string name, std::uint64_t bytes)

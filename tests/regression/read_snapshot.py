@@ -65,6 +65,10 @@ def check_with_h5py(path, total):
             sys.exit(f"{path}: not compressed")
         if file["VTKHDF/Points"] != file["particles/position"]:
             sys.exit(f"{path}: VTKHDF/Points is a copy, not a link")
+        # VTK 9.1 takes any text; the reader of ParaView 5.11 (VTK 9.2) one that fills its bytes, without a zero at the end.
+        kind = file["VTKHDF"].attrs.get_id("Type").get_type()
+        if (kind.get_size(), kind.get_strpad()) != (len("UnstructuredGrid"), h5py.h5t.STR_NULLPAD):
+            sys.exit(f"{path}: the attribute Type of /VTKHDF is of {kind.get_size()} bytes")
 
 
 def check_with_vtk(path, total):

@@ -28,6 +28,20 @@ TEST(ParseCommandLine, Run) {
   EXPECT_FALSE(line.quiet);
 }
 
+TEST(ParseCommandLine, InfoAndExport) {
+  const CommandLine info = parse({"info", "run_1.hdf"});
+  EXPECT_EQ(info.action, Action::info);
+  EXPECT_EQ(info.file, "run_1.hdf");
+  const CommandLine exported = parse({"export", "run_1.hdf", "--format", "csv", "--output", "grains.csv"});
+  EXPECT_EQ(exported.action, Action::export_file);
+  EXPECT_EQ(exported.file, "run_1.hdf");
+  EXPECT_EQ(exported.format, "csv");
+  EXPECT_EQ(exported.output, "grains.csv");
+  EXPECT_THROW(parse({"export", "run_1.hdf", "--format", "obj", "--output", "grains.obj"}), DeckError);
+  EXPECT_THROW(parse({"export", "run_1.hdf", "--output", "grains.csv"}), DeckError);
+  EXPECT_THROW(parse({"info"}), DeckError);
+}
+
 TEST(ParseCommandLine, OtherActions) {
   const CommandLine check = parse({"check", "deck.toml", "--set", "a=1"});
   EXPECT_EQ(check.action, Action::check);

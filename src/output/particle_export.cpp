@@ -1,0 +1,91 @@
+#include "output/particle_export.h"
+
+#include <bit>
+#include <cstdint>
+#include <numeric>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "output/csv_file.h"
+#include "output/vector_rows.h"
+
+namespace repose {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "vtp_text writes the bytes as they are");
+
+std::vector<double> flat(std::span<const Vec3> vectors) {
+  std::vector<double> values;
+  values.reserve(3 * vectors.size());
+  for (const Vec3& v : vectors) append_vector(values, v);
+  return values;
+}
+
+/// The arrays behind the XML, each after its length in bytes.
+class AppendedData {
+ public:
+  template <class T>
+  std::string array(const char* type, const char* name, int components, std::span<const T> values) {
+    const std::string element = fmt::format(
+        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n", type,
+        name, components, bytes_.size());
+    const std::uint64_t size = values.size_bytes();
+    bytes_.append(reinterpret_cast<const char*>(&size), sizeof size);
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+    return element;
+  }
+  std::string array(const char* name, int components, const std::vector<double>& values) {
+    return array("Float64", name, components, std::span<const double>(values));
+  }
+  std::string array(const char* name, const std::vector<std::int64_t>& values) {
+    return array("Int64", name, 1, std::span<const std::int64_t>(values));
+  }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+}  // namespace
+
+std::string vtp_text(const SnapshotParticles& snapshot) {
+  const NewParticles& p = snapshot.particles;
+  std::vector<std::int64_t> vertices(p.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  std::vector<std::int64_t> ends(p.size());
+  std::iota(ends.begin(), ends.end(), 1);
+  AppendedData data;
+  std::string text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n";
+  text += "<FieldData>\n" + data.array("TimeValue", 1, {snapshot.time_s});
+  text.insert(text.rfind(" format="), " NumberOfTuples=\"1\"");
+  text += "</FieldData>\n";
+  text += fmt::format(
+      "<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+      "NumberOfPolys=\"0\">\n",
+      p.size());
+  text += "<PointData Scalars=\"radius\">\n" + data.array("id", p.id);
+  text += data.array("velocity", 3, flat(p.velocity)) + data.array("angular_velocity", 3, flat(p.spin));
+  text += data.array("radius", 1, p.radius) + data.array("mass", 1, snapshot.mass);
+  text += data.array("Int32", "material", 1, std::span<const int>(p.material)) + "</PointData>\n";
+  text += "<Points>\n" + data.array("position", 3, flat(p.position)) + "</Points>\n";
+  text += "<Verts>\n" + data.array("connectivity", vertices) + data.array("offsets", ends) + "</Verts>\n";
+  text += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+  return text + data.bytes() + "\n</AppendedData>\n</VTKFile>\n";
+}
+
+std::string csv_text(const SnapshotParticles& snapshot) {
+  const NewParticles& p = snapshot.particles;
+  std::string text = "x,y,z,vx,vy,vz,wx,wy,wz,radius,material\n";
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (const Vec3& v : {p.position[i], p.velocity[i], p.spin[i]}) {
+      for (const double value : {v.x, v.y, v.z}) text += shortest_text(value) + ",";
+    }
+    text += shortest_text(p.radius[i]) + "," + snapshot.materials[static_cast<std::size_t>(p.material[i])] + "\n";
+  }
+  return text;
+}
+
+}  // namespace repose

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "output/file_contents.h"
+
+namespace repose {
+
+/// Particles as a file of VTK's XML format for PolyData (.vtp): one vertex each, the arrays of a snapshot as point data
+/// under the same names, the time as field data `TimeValue`.
+/// https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html; raw appended data.
+std::string vtp_text(const SnapshotParticles& snapshot);
+
+/// Particles as a list that `repose measure` and decks read: x,y,z,vx,vy,vz,wx,wy,wz,radius,material, in numbers that
+/// read back exactly.
+std::string csv_text(const SnapshotParticles& snapshot);
+
+}  // namespace repose

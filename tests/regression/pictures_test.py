@@ -1,0 +1,139 @@
+"""The tools that draw a run: what they write is there, is not empty, and shows the run; the walls of a deck have the right
+places and areas for VTK; a folder that is no run is refused in one line.
+
+Usage: pictures_test.py EXECUTABLE MPIEXEC SOURCE_DIR
+"""
+
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import matplotlib.image
+import numpy as np
+from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from repose_runs import Program, read_series
+
+REDUCED = ("particles.0.mass=0.1 g", "phase.settle.max_time=20 ms", "phase.settle.min_time=1 ms",
+           "phase.discharge.max_time=80 ms", "phase.discharge.min_time=80 ms", "output.series_interval=2 ms")
+SIDES = 72  # of a circle in tools/wall_surfaces.py
+
+
+def ring(r):
+    """Area and radius of a circle as a polygon."""
+    return 0.5 * SIDES * r * r * math.sin(2.0 * math.pi / SIDES)
+
+
+class Pictures(unittest.TestCase):
+    program = None
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = folder.name
+        cls.run_folder = os.path.join(cls.folder, "run")
+        cls.program.run(cls.program.deck("discharge_quick.toml"), cls.run_folder, *REDUCED)
+        sys.path.insert(0, os.path.join(cls.program.source, "tools"))
+
+    def tool(self, name, *arguments):
+        return subprocess.run([os.path.join(self.program.source, "tools", name), *arguments], capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL, timeout=120, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+
+    def test_the_course_of_a_run(self):
+        output = os.path.join(self.folder, "pictures")
+        done = self.tool("plot_run.py", self.run_folder, "--output", output)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        names = [f"{name}.{ending}" for name in ("discharge", "energies", "walls") for ending in ("pdf", "png")]
+        self.assertEqual(sorted(os.listdir(output)), sorted(names))
+        for name in names:
+            path = os.path.join(output, name)
+            if name.endswith(".png"):
+                image = matplotlib.image.imread(path)[..., :3]
+                coloured = np.ptp(image, axis=2) > 0.3
+                self.assertGreater(coloured.mean(), 1e-3, f"{name}: no curve")
+                self.assertGreater((image.min(axis=2) == 1.0).mean(), 0.5, f"{name}: no white ground")
+            else:
+                with open(path, "rb") as file:
+                    self.assertEqual(file.read(5), b"%PDF-")
+        self.assertGreater(read_series(self.run_folder)[-1]["discharged_mass_kg"], 0.0, "nothing to draw")
+
+    def test_what_is_not_there_is_not_drawn(self):
+        """The first rows of a run: no grain has moved below, none touches a wall."""
+        begun, output = os.path.join(self.folder, "begun"), os.path.join(self.folder, "begun_pictures")
+        os.mkdir(begun)
+        for name in ("series.csv", "walls.csv", "deck.resolved.toml"):
+            with open(os.path.join(self.run_folder, name)) as source, open(os.path.join(begun, name), "w") as copy:
+                copy.writelines(source.readlines()[:2 if name.endswith(".csv") else None])
+        done = self.tool("plot_run.py", begun, "--output", output)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(sorted(os.listdir(output)), ["energies.pdf", "energies.png"])
+
+    def test_a_folder_that_is_no_run(self):
+        done = self.tool("plot_run.py", self.folder)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"^plot_run.py: .* is no directory of a run: .*\n$")
+
+    def surfaces(self, deck, folder=None):
+        """Bounds and area of each wall, as VTK reads it."""
+        from wall_surfaces import vtp_of, wall_surfaces
+        found = {}
+        for name, _, points, polygons in wall_surfaces(deck, folder):
+            path = os.path.join(self.folder, "wall.vtp")
+            with open(path, "w") as file:
+                file.write(vtp_of(points, polygons))
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(path)
+            triangles = vtkTriangleFilter()
+            triangles.SetInputConnection(reader.GetOutputPort())
+            mass = vtkMassProperties()
+            mass.SetInputConnection(triangles.GetOutputPort())
+            mass.Update()
+            found[name] = reader.GetOutput().GetBounds(), mass.GetSurfaceArea()
+        return found
+
+    def check(self, surface, bounds, area):
+        self.assertTrue(np.allclose(surface[0], bounds, rtol=0.0, atol=1e-9), surface[0])
+        self.assertAlmostEqual(surface[1] / area, 1.0, delta=1e-6)
+
+    def test_walls_of_the_quick_deck(self):
+        walls = self.surfaces(os.path.join(self.run_folder, "deck.resolved.toml"))
+        self.assertEqual(list(walls), ["vessel", "lid", "plate"])
+        side = SIDES * 2.0 * 0.004 * math.sin(math.pi / SIDES) * 0.04
+        self.check(walls["vessel"], (-0.004, 0.004, -0.004, 0.004, 0.0, 0.04), side + ring(0.004) - ring(0.00175))
+        self.check(walls["lid"], (-0.00175, 0.00175, -0.00175, 0.00175, 0.0, 0.0), ring(0.00175))
+        self.check(walls["plate"], (-0.015, 0.015, -0.015, 0.015, -0.01, -0.01), 9e-4)
+
+    def test_planes_end_at_the_domain_and_meshes_are_placed(self):
+        deck = os.path.join(self.folder, "walls.toml")
+        with open(deck, "w") as file:
+            file.write('[domain]\nmin = [0.0, 0.0, 0.0]\nmax = [1.0, 2.0, 3.0]\n'
+                       '[[wall]]\nname = "level"\ntype = "plane"\npoint = [9.0, 0.0, 1.0]\nnormal = [0.0, 0.0, 1.0]\n'
+                       '[[wall]]\nname = "slope"\ntype = "plane"\npoint = [0.5, 0.0, 0.5]\nnormal = [-1.0, 0.0, 1.0]\n'
+                       '[[wall]]\nname = "mesh"\ntype = "mesh"\nfile = "one.stl"\nscale = 0.5\nrotate_axis = [0.0, 0.0, 2.0]\n'
+                       'rotate_angle = 90.0\ntranslate = [1.0, 1.0, 1.0]\n')
+        with open(os.path.join(self.folder, "one.stl"), "w") as file:
+            file.write("solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+                       "endsolid s\n")
+        walls = self.surfaces(deck)
+        self.check(walls["level"], (0.0, 1.0, 0.0, 2.0, 1.0, 1.0), 2.0)
+        self.check(walls["slope"], (0.0, 1.0, 0.0, 2.0, 0.0, 1.0), 2.0 * math.sqrt(2.0))
+        self.check(walls["mesh"], (0.5, 1.0, 1.0, 2.0, 1.0, 1.0), 0.25)
+
+    def test_the_hopper_of_triangles(self):
+        output = os.path.join(self.folder, "hopper")
+        done = self.program.call("run", self.program.deck("mesh_hopper.toml"), "--output", output, "--time-limit", "00:00:01")
+        self.assertIn(done.returncode, (0, 75), done.stderr)
+        walls = self.surfaces(os.path.join(output, "deck.resolved.toml"), os.path.join(self.program.source, "input"))
+        meshes = [bounds for bounds, area in walls.values() if area > 0.0]
+        self.assertEqual(len(meshes), len(walls))
+        self.assertTrue(all(np.isfinite(bounds).all() for bounds in meshes))
+
+
+if __name__ == "__main__":
+    Pictures.program = Program(*sys.argv[1:4])
+    unittest.main(argv=sys.argv[:1], verbosity=2)

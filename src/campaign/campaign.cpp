@@ -97,7 +97,7 @@ class Group {
     if (watch_ != nullptr) watch_->look();
     if (!comm_.is_root() || seconds_since(last_asked_) < patience) return {};
     last_asked_ = WallClock::now();
-    if (counters_.read(stop_wanted) > 0) return "the end of another run of the job";
+    if (counters_.recent(stop_wanted) > 0) return "the end of another run of the job";
     return {};
   }
 

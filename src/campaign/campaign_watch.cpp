@@ -14,7 +14,7 @@ CampaignWatch::CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun>
 
 void CampaignWatch::look() {
   constexpr double patience = 2.0;  // s
-  counters_.poke();
+  counters_.answer();
   if (seconds_since(last_look_) < patience) return;
   last_look_ = WallClock::now();
   const std::int64_t finished = counters_.read(finished_runs);

@@ -1,13 +1,17 @@
 // The communicator's typed calls and the order-independent sum.
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "comm/buffer.h"
 #include "comm/communicator.h"
 #include "comm/order_independent_sum.h"
+#include "comm/shared_counters.h"
 #include "support/draw.h"
 
 namespace repose::test {
@@ -157,6 +161,46 @@ TEST_F(Comm, SumIsExactWhereItCanBe) {
   const std::vector<double> large = {1e300, -1e300, 1e285};
   EXPECT_NEAR(order_independent_sum(self, large), 1e285, 1e300 * 0x1p-59);
 }
+
+TEST_F(Comm, CountersAreDrawnFromWhileRankZeroIsBusy) {
+  constexpr int draws = 50;
+  SharedCounters counters(world, 2);
+  std::vector<int> drawn;
+  for (int i = 0; i < draws; ++i) {
+    drawn.push_back(static_cast<int>(counters.add(1, 1)));
+    counters.add(0, 10);
+    if (world.is_root()) counters.answer();
+  }
+  for (PatientBarrier barrier(world); !barrier.passed();) {
+    if (world.is_root()) counters.answer();
+  }
+  std::vector<int> all = world.gather(drawn);
+  std::sort(all.begin(), all.end());
+  std::vector<int> expected(world.is_root() ? static_cast<std::size_t>(draws * size) : 0);
+  std::iota(expected.begin(), expected.end(), 0);
+  EXPECT_EQ(all, expected);
+  if (world.is_root()) {
+    EXPECT_EQ(counters.read(0), 10 * draws * size);
+  }
+}
+
+TEST_F(Comm, RecentValuesOfCountersArriveWithoutWaiting) {
+  SharedCounters counters(world, 1);
+  if (!world.is_root()) {
+    EXPECT_EQ(counters.recent(0), 0);  // nobody answers yet
+  }
+  counters.add(0, world.is_root() ? 7 : 0);  // the other ranks wait here until rank 0 answers below
+  for (PatientBarrier barrier(world); !barrier.passed();) {
+    if (world.is_root()) counters.answer();
+  }
+  if (!world.is_root()) {
+    while (counters.recent(0) != 7) std::this_thread::yield();
+  }
+  for (PatientBarrier barrier(world); !barrier.passed();) {
+    if (world.is_root()) counters.answer();
+  }
+  EXPECT_EQ(counters.recent(0), 7);
+}  // what the last call of recent() has asked is answered here
 
 }  // namespace
 }  // namespace repose::test

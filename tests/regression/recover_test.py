@@ -3,7 +3,7 @@ as those of a laboratory, with the scatter of those eight as their deviation. Th
 from discharged mass and angle of repose, restitution from the grains in areas 1 and 3; four hidden sets each. One of
 the eight may be outside, as chance has it one time in four; two in one time of seventeen.
 
-Usage: recover_test.py EXECUTABLE MPIEXEC SOURCE_DIR
+Usage: recover_test.py EXECUTABLE MPIEXEC SOURCE_DIR [FOLDER]
 """
 
 import csv
@@ -12,9 +12,8 @@ import math
 import os
 import statistics
 import sys
-import tempfile
 
-from repose_runs import Program
+from repose_runs import Program, cores, folder_of_runs
 
 HEAD = 'base = "{base}"\nseeds = {seeds}\nfirst_seed = {first_seed}\nset = {sets}\n'
 PARAMETER = '[[parameter]]\nname = "{0}"\nkey = "{1}"\nmin = {2}\nmax = {3}\n'
@@ -53,7 +52,7 @@ class Case:
     def __init__(self, program, name, folder):
         self.program, self.name, self.folder = program, name, os.path.join(folder, name)
         self.facts = CASES[name]
-        os.makedirs(self.folder)
+        os.makedirs(self.folder, exist_ok=True)
 
     def deck(self, name, laboratory, seeds, first_seed=1, points=None):
         """A calibration deck; laboratory: (value, deviation) per figure; points instead of the grid."""
@@ -73,7 +72,7 @@ class Case:
 
     def calibrate(self, deck, output):
         output = os.path.join(self.folder, output)
-        done = self.program.call("calibrate", deck, "--output", output, "--quiet", ranks=os.cpu_count(), timeout=14000)
+        done = self.program.call("calibrate", deck, "--output", output, "--quiet", ranks=cores(), timeout=14000)
         assert done.returncode == 0, done.stderr
         return output
 
@@ -127,7 +126,7 @@ def at(surfaces, point):
 
 def main():
     program = Program(*sys.argv[1:4])
-    with tempfile.TemporaryDirectory() as folder:
+    with folder_of_runs(sys.argv) as folder:
         recovered = sum(Case(program, name, folder).recovered() for name in CASES)
     total = sum(len(case["hidden"]) for case in CASES.values())
     print(f"{recovered} of {total} found again")

@@ -1,9 +1,11 @@
 """Runs the program and reads what it wrote; shared by the regression tests."""
 
+import contextlib
 import csv
 import json
 import os
 import subprocess
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 
@@ -31,10 +33,26 @@ class Program:
         with open(os.path.join(output, "summary.json")) as file:
             return json.load(file)
 
-    def run_all(self, runs):
+    def run_all(self, runs, options=()):
         """Several (deck, output, overrides...) at a time, one rank each, as many as there are cores."""
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
-            return list(pool.map(lambda r: self.run(*r), runs))
+        with ThreadPoolExecutor(cores()) as pool:
+            return list(pool.map(lambda r: self.run(*r, options=options), runs))
+
+
+def cores():
+    """Those that this process may use."""
+    return len(os.sched_getaffinity(0))
+
+
+@contextlib.contextmanager
+def folder_of_runs(arguments):
+    """The folder given after EXECUTABLE MPIEXEC SOURCE_DIR, which stays, so that a stopped test goes on; or one for the test."""
+    if len(arguments) > 4:
+        os.makedirs(arguments[4], exist_ok=True)
+        yield arguments[4]
+    else:
+        with tempfile.TemporaryDirectory() as folder:
+            yield folder
 
 
 def read_series(output):

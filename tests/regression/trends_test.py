@@ -1,17 +1,17 @@
 """The trends of the thesis (sections 3.3.3 and 3.6) in small, between far corners: five seeds of input/scatter_mini.toml at
 each point. An effect is the difference of two means, its error that of the difference by the scatter of the seeds. What
-docs/validation.md says about trends is what this prints.
+docs/validation.md says about trends is what this prints. 40 runs of minutes: those in FOLDER that are complete are not run
+again.
 
-Usage: trends_test.py EXECUTABLE MPIEXEC SOURCE_DIR
+Usage: trends_test.py EXECUTABLE MPIEXEC SOURCE_DIR [FOLDER]
 """
 
 import math
 import os
 import statistics
 import sys
-import tempfile
 
-from repose_runs import Program
+from repose_runs import Program, folder_of_runs
 
 SEEDS = range(1, 6)
 FRICTION = [(sliding, rolling, 0.5, 0.6) for sliding in (0.1, 0.9) for rolling in (0.1, 0.5)]
@@ -91,10 +91,10 @@ def trends(samples):
 def main():
     program = Program(*sys.argv[1:4])
     points = FRICTION + BETWEEN_GRAINS + WITH_WALL
-    with tempfile.TemporaryDirectory() as folder:
+    with folder_of_runs(sys.argv) as folder:
         runs = [(program.deck("scatter_mini.toml"), os.path.join(folder, f"{n}_{seed}"), *overrides(point, seed))
                 for n, point in enumerate(points) for seed in SEEDS]
-        summaries = iter(program.run_all(runs))
+        summaries = iter(program.run_all(runs, ["--restart", "--quiet"]))
     samples = {}
     for point in points:
         of_seeds = [next(summaries) for _ in SEEDS]

@@ -9,13 +9,12 @@ import json
 import os
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
 import h5py
 
-from repose_runs import Program
+from repose_runs import FolderTest, Program
 
 # Two hundred grains and a wide orifice, for some milliseconds. What they do does not matter here.
 REDUCED = ["particles.0.mass=0.03 g", "particles.0.height=20 mm", "output.snapshot_interval=0", "phase.settle.max_time=15 ms",
@@ -35,17 +34,13 @@ RATE = '[[observable]]\nfigure = "retained_mass_kg"\nlaboratory = 22e-6\ndeviati
 GRID = SLIDING + "values = [0.1, 0.4]\n" + RESTITUTION + "min = 0.2\nmax = 0.8\npoints = 3\n" + MASS + RATE
 
 
-class Calibrate(unittest.TestCase):
-    program = None
-
+class Calibrate(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-        self.output = os.path.join(self.folder, "out")
+        super().setUp()
+        self.output = self.path("out")
 
     def write(self, text, sets=REDUCED, seeds=2, ranks_per_run=1):
-        path = os.path.join(self.folder, "study.toml")
+        path = self.path("study.toml")
         with open(path, "w") as file:
             file.write(HEAD.format(base=self.program.deck("discharge_quick.toml"), seeds=seeds,
                                    ranks_per_run=ranks_per_run, sets=json.dumps(sets)) + text)
@@ -74,7 +69,7 @@ class Calibrate(unittest.TestCase):
             return file.read()
 
     def test_a_grid_is_the_same_on_any_ranks_and_groups(self):
-        outputs = [os.path.join(self.folder, name) for name in ("one", "two", "three")]
+        outputs = [self.path(name) for name in ("one", "two", "three")]
         says = [self.calibrate(self.write(GRID), ranks=1, output=outputs[0]),
                 self.calibrate(self.write(GRID), ranks=2, output=outputs[1]),
                 self.calibrate(self.write(GRID, ranks_per_run=2), ranks=5, output=outputs[2])]
@@ -125,7 +120,7 @@ class Calibrate(unittest.TestCase):
         self.assertEqual(self.read("grid.csv").splitlines()[:13], table.splitlines())
 
     def test_a_time_limit_stops_it_and_the_same_command_goes_on(self):
-        path, calm = self.write(GRID, seeds=3), os.path.join(self.folder, "calm")
+        path, calm = self.write(GRID, seeds=3), self.path("calm")
         self.calibrate(path, output=calm)
         stopped = 0
         while True:
@@ -200,7 +195,7 @@ class Calibrate(unittest.TestCase):
         tool = os.path.join(self.program.source, "tools", "plot_calibration.py")
         single = SLIDING + "values = [0.1, 0.2, 0.3, 0.4]\n" + MASS
         for name, text in (("plane", GRID), ("line", single)):
-            output = os.path.join(self.folder, name)
+            output = self.path(name)
             self.calibrate(self.write(text), output=output)
             drawn = subprocess.run([tool, output], capture_output=True, text=True)
             self.assertEqual(drawn.returncode, 0, drawn.stderr)
@@ -210,7 +205,7 @@ class Calibrate(unittest.TestCase):
     def test_a_search_depends_on_nothing_but_its_runs(self):
         search = (SLIDING + "min = 0.1\nmax = 0.7\n" + RESTITUTION + "min = 0.2\nmax = 0.8\n" + MASS + RATE +
                   "[adaptive]\nstart = 5\nbatch = 2\nbudget = 9\nhalf_width = 0.01\n")
-        outputs = [os.path.join(self.folder, name) for name in ("one", "three")]
+        outputs = [self.path(name) for name in ("one", "three")]
         for ranks, output in zip((1, 3), outputs):
             self.assertIn("18 runs: ", self.calibrate(self.write(search), ranks=ranks, output=output))
         self.assertEqual(self.read("grid.csv", outputs[0]), self.read("grid.csv", outputs[1]))

@@ -8,32 +8,18 @@ import math
 import os
 import pathlib
 import sys
-import tempfile
 import unittest
 
-from repose_runs import Program, read_series
+from repose_runs import FolderTest, Program, read_series
 
 SMALL = ("particles.0.mass=0.05 g", "particles.0.height=20 mm", "phase.settle.max_time=0.03", "phase.settle.min_time=0.01",
          "phase.discharge.max_time=0.08", "phase.discharge.min_time=0.01")
 
 
-class CommandLine(unittest.TestCase):
-    program = None
-
+class CommandLine(FolderTest):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
+        super().setUp()
         self.quick = self.program.deck("discharge_quick.toml")
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
-
-    def fails(self, code, pattern, *arguments, ranks=0):
-        done = self.program.call(*arguments, ranks=ranks)
-        self.assertEqual(done.returncode, code, done.stderr)
-        self.assertRegex(done.stderr, pattern)
-        spoken = [line for line in done.stderr.splitlines() if line.startswith("repose:")]
-        self.assertEqual(len(spoken), 1, done.stderr)
 
     def test_version_names_the_build(self):
         done = self.program.call("--version")
@@ -94,7 +80,7 @@ class CommandLine(unittest.TestCase):
             pathlib.Path(self.path("special.toml")).write_text(changed)
             for ranks in (0, 2):
                 self.fails(4, f"{what}", "check", self.path("special.toml"), ranks=ranks)
-            self.fails(4, what, "run", os.path.join(self.folder.name, name), "--output", self.path("out"))
+            self.fails(4, what, "run", self.path(name), "--output", self.path("out"))
         self.fails(4, "cannot read", "check", "/proc/self/mem")
 
     def test_nothing_in_a_deck_is_executed(self):

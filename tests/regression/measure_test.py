@@ -10,12 +10,11 @@ import math
 import os
 import random
 import sys
-import tempfile
 import unittest
 
 import h5py
 
-from repose_runs import Program
+from repose_runs import FolderTest, Program
 
 # The scattering test in small: 2497 grains through the whole orifice, from a narrow vessel onto a plate 10 mm below.
 REDUCED = ("particles.0.mass=0.4 g", "particles.0.radius=4 mm", "particles.0.height=38 mm", "particles.0.spacing=700 um",
@@ -58,16 +57,10 @@ def write_csv(path, grains, header="x,y,z,radius"):
     return path
 
 
-class Measure(unittest.TestCase):
-    program = None
-
+class Measure(FolderTest):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
+        super().setUp()
         self.deck = self.program.deck("scatter_carbohsp.toml")
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
 
     def measure(self, file, *overrides, ranks=0):
         """What was printed, and the figures."""
@@ -76,12 +69,6 @@ class Measure(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.path("measured/measurement.json")) as text:
             return done.stdout, json.load(text)
-
-    def fails(self, code, pattern, *arguments, ranks=0):
-        done = self.program.call("measure", *arguments, ranks=ranks)
-        self.assertEqual(done.returncode, code, done.stderr)
-        self.assertRegex(done.stderr, pattern)
-        self.assertEqual(len([line for line in done.stderr.splitlines() if line.startswith("repose:")]), 1, done.stderr)
 
     def test_a_run_measured_again(self):
         run = self.program.run(self.deck, self.path("run"), *REDUCED, ranks=2, options=("--quiet",))
@@ -151,20 +138,20 @@ class Measure(unittest.TestCase):
     def test_what_is_refused(self):
         cone = write_csv(self.path("cone.csv"), rings_of_a_cone(5e-3, 30.0))
         with_deck = ("--deck", self.deck)
-        self.fails(4, "absent.csv: cannot open: No such file", self.path("absent.csv"), *with_deck)
-        self.fails(4, "is a directory", self.folder.name, *with_deck)
-        self.fails(2, "bad.csv:1: the header line must read x,y,z,radius or ",
+        self.fails(4, "absent.csv: cannot open: No such file", "measure", self.path("absent.csv"), *with_deck)
+        self.fails(4, "is a directory", "measure", self.folder, *with_deck)
+        self.fails(2, "bad.csv:1: the header line must read x,y,z,radius or ", "measure",
                    write_csv(self.path("bad.csv"), [], "x;y;z"), *with_deck)
         with open(self.path("cut.hdf"), "wb") as file:
             file.write(b"\x89HDF\r\n\x1a\nand no more")
         for ranks in (0, 2):
-            self.fails(4, "cut.hdf: cannot read as a snapshot", self.path("cut.hdf"), *with_deck, ranks=ranks)
-        self.fails(4, "cannot create the output folder", cone, *with_deck, "--output", cone)
-        self.fails(2, "area_3_radius = 0.005 m lies within the base", cone, *with_deck, "--set",
+            self.fails(4, "cut.hdf: cannot read as a snapshot", "measure", self.path("cut.hdf"), *with_deck, ranks=ranks)
+        self.fails(4, "cannot create the output folder", "measure", cone, *with_deck, "--output", cone)
+        self.fails(2, "area_3_radius = 0.005 m lies within the base", "measure", cone, *with_deck, "--set",
                    "measurement.scattering.area_3_radius=5 mm")
-        self.fails(2, "--set measurement.scattering.area_3_radius=80 mm: .* leaves nothing for area 3", cone, *with_deck, "--set",
-                   "measurement.scattering.area_3_radius=80 mm")
-        self.fails(2, "nothing to measure", cone, "--deck", self.program.deck("periodic_chute.toml"))
+        self.fails(2, "--set measurement.scattering.area_3_radius=80 mm: .* leaves nothing for area 3", "measure", cone,
+                   *with_deck, "--set", "measurement.scattering.area_3_radius=80 mm")
+        self.fails(2, "nothing to measure", "measure", cone, "--deck", self.program.deck("periodic_chute.toml"))
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import tempfile
+import unittest
 from concurrent.futures import ThreadPoolExecutor
 
 
@@ -53,6 +54,28 @@ def folder_of_runs(arguments):
     else:
         with tempfile.TemporaryDirectory() as folder:
             yield folder
+
+
+class FolderTest(unittest.TestCase):
+    """Tests of a program, each in a folder of its own."""
+
+    program = None  # to be set before they are run
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def fails(self, code, pattern, *arguments, ranks=0):
+        """With this exit code, and one line of its own that has the pattern."""
+        done = self.program.call(*arguments, ranks=ranks)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertRegex(done.stderr, pattern)
+        spoken = [line for line in done.stderr.splitlines() if line.startswith("repose:")]
+        self.assertEqual(len(spoken), 1, done.stderr)
 
 
 def read_series(output):

@@ -8,12 +8,11 @@ import os
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import tomllib
 import unittest
 
-from repose_runs import Program
+from repose_runs import FolderTest, Program
 
 # A hundred grains through a wide orifice onto a near plate: seconds.
 REDUCED = ["particles.0.mass=0.05 g", "particles.0.height=20 mm", "output.snapshot_interval=0", "phase.settle.max_time=50 ms",
@@ -34,17 +33,13 @@ laboratory = 30.0
 """
 
 
-class Validate(unittest.TestCase):
-    program = None
-
+class Validate(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-        self.output = os.path.join(self.folder, "out")
+        super().setUp()
+        self.output = self.path("out")
 
     def write(self, *cases):
-        path = os.path.join(self.folder, "validation.toml")
+        path = self.path("validation.toml")
         with open(path, "w") as file:
             file.write('published = "theirs"\n')
             for case in cases:
@@ -86,7 +81,7 @@ class Validate(unittest.TestCase):
         path = self.write({"name": "one", "set": longer})
         whole = self.validate(path)
         self.assertEqual(whole.returncode, 0, whole.stderr)
-        self.output = os.path.join(self.folder, "parts")
+        self.output = self.path("parts")
         command = [self.program.executable, "validate", path, "--output", self.output, "--quiet"]
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
             series = os.path.join(self.output, "one", "series.csv")

@@ -160,6 +160,10 @@ ToolResult synthesise_tool(const ToolInput& input) {
   const SyntheticTransient& s = deck.synthetic.transient;
   const SourceFunction source = source_of(deck.sensor);
   const double tau = std::sqrt(s.duration * s.conductivity / s.volumetric_heat) / s.radius;
+  if (tau <= source.least_tau()) {
+    throw DeckError(fmt::format("{}: synthetic.duration = {} s is tau = {:.3g}, not above \"cutoff\" = {} of [sensor]",
+                                input.deck.name, s.duration, tau, source.least_tau()));
+  }
   if (tau > SourceFunction::max_tau) {
     throw DeckError(fmt::format("{}: synthetic.duration = {} s is tau = {:.3g}; at most {} is tabulated",
                                 input.deck.name, s.duration, tau, SourceFunction::max_tau));

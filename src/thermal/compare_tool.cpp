@@ -78,15 +78,21 @@ void check(CompareDeck& deck, DeckErrors& errors) {
     errors.add("orifice.hot", "\"hot\" of [orifice] must not be below \"cold\"");
 }
 
+/// The name of a column without the quotes around it.
+std::string_view name_of(std::string_view field) {
+  const bool is_quoted = field.size() > 1 && field.front() == '"' && field.back() == '"';
+  return is_quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
+}
+
 /// The columns of a CSV by name. An empty field is a measurement that was not made.
 Columns columns_of(const DataFile& file) {
   std::vector<std::string> names;
   Columns columns;
-  for_each_line(file.bytes, file.name, [&](std::string_view line, const FilePlace& place) {
+  const std::size_t last = for_each_line(file.bytes, file.name, [&](std::string_view line, const FilePlace& place) {
     const std::vector<std::string_view> fields = split_fields(line);
     if (names.empty()) {
       for (const std::string_view field : fields) {
-        names.push_back(compact(field));
+        names.emplace_back(name_of(field));
         if (names.back().empty()) fail_at(place, "a column of the header has no name");
         if (!columns.try_emplace(names.back()).second)
           fail_at(place, fmt::format("two columns are named \"{}\"", names.back()));
@@ -98,6 +104,8 @@ Columns columns_of(const DataFile& file) {
     for (std::size_t i = 0; i < fields.size(); ++i)
       if (!fields[i].empty()) columns[names[i]].push_back(parse_number(fields[i], names[i], place));
   });
+  if (names.empty())
+    fail_at({file.name, last}, "the file is empty; a header with the names of the columns was expected");
   return columns;
 }
 

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "scene/text_table.h"
 #include "thermal/equivalence.h"
+#include "thermal/moments.h"
 
 namespace repose::thermal {
 
@@ -121,9 +122,7 @@ const std::vector<double>& column(const Columns& columns, const std::string& nam
 
 Json figure_json(const ComparedFigure& f, const std::vector<double>& a, const std::vector<double>& b,
                  double significance) {
-  double mean = 0.0;
-  for (const double x : a) mean += x / static_cast<double>(a.size());
-  const double bound = std::isnan(f.bound) ? f.relative_bound * std::abs(mean) : f.bound;
+  const double bound = std::isnan(f.bound) ? f.relative_bound * std::abs(mean_of(a)) : f.bound;
   if (bound == 0.0)
     throw DeckError(fmt::format("\"{}\": a relative bound needs a mean of A that is not 0; give a bound", f.column));
   const Equivalence e = compare_means(a, b, bound, significance);

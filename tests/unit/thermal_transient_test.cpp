@@ -57,7 +57,11 @@ TEST(TpsTool, ChecksTheRepeats) {
   const Json good = repeats("[0, 2700, 5400]", files);
   EXPECT_TRUE(good["is_met"].get<bool>());
   EXPECT_NEAR(good["conductivity_W_mK"]["mean"].get<double>() / 13.55, 1.0, 0.003);
-  EXPECT_GT(good["conductivity_W_mK"]["standard_deviation"].get<double>(), 0.0);
+  const double deviation = good["conductivity_W_mK"]["standard_deviation"].get<double>();
+  EXPECT_GT(deviation, 0.0);
+  // Student's t of 95 % with 2 degrees of freedom, 4.302653, over sqrt(3)
+  EXPECT_NEAR(good["conductivity_W_mK"]["high_95"].get<double>() - good["conductivity_W_mK"]["mean"].get<double>(),
+              2.484138 * deviation, 1e-6 * deviation);
   EXPECT_FALSE(repeats("[0, 2700, 5000]", files)["is_met"].get<bool>());
   EXPECT_FALSE(repeats("[0, 2700]", {files[0], files[1]})["is_met"].get<bool>());
   expect_deck_error([&] { repeats("[0, 2700]", files); }, "[repeats] starts has 2 times for 3 files");

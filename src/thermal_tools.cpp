@@ -1,5 +1,7 @@
 #include "thermal_tools.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -31,11 +33,25 @@ constexpr Tool tools[] = {{"bed", thermal::bed_tool},         {"compare", therma
                           {"sensor", thermal::sensor_tool},   {"synthesise", thermal::synthesise_tool},
                           {"tps", thermal::tps_tool}};
 
+/// A figure that is none: what the deck or the files say is too far from anything physical for the formulas.
+void check_finite(const Json& value, const std::string& name, const std::string& deck) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+    throw DeckError(fmt::format("{}: {} would be {}: a figure of the input is too large or too small", deck, name,
+                                value.get<double>()));
+  }
+  if (!value.is_structured()) return;
+  for (const auto& [key, inner] : value.items()) check_finite(inner, name.empty() ? key : name + "." + key, deck);
+}
+
 thermal::ToolResult result_of(const ThermalRequest& request) {
   thermal::ToolInput input{{request.deck, read_whole_file(request.deck)}, request.overrides, {}};
   for (const std::string& file : request.files) input.files.push_back({file, read_whole_file(file)});
-  for (const Tool& tool : tools)
-    if (tool.name == request.tool) return tool.run(input);
+  for (const Tool& tool : tools) {
+    if (tool.name != request.tool) continue;
+    thermal::ToolResult result = tool.run(input);
+    check_finite(result.json, "", request.deck);
+    return result;
+  }
   throw DeckError(fmt::format("there is no thermal tool \"{}\"", request.tool));
 }
 

@@ -67,8 +67,7 @@ void check(BedDeck& deck, DeckErrors& errors) {
                                            "\"particle_density\" = {}",
                                            deck.bulk_density, deck.bed.porosity, deck.particle_density));
   }
-  if (deck.temperature.max < deck.temperature.min)
-    errors.add("temperature.max", "\"max\" of [temperature] must not be below \"min\"");
+  check_range(deck.temperature, errors);
 }
 
 /// Standard deviation of the porosity, from those of the densities.
@@ -126,14 +125,14 @@ std::string text_of(const Json& json) {
   text += "| T, K | k, W/(m K) | +- | without radiation | air |\n|---|---|---|---|---|\n";
   const auto number = [](const Json& object, const char* key) { return object[key].get<double>(); };
   for (const Json& r : json["conductivity"]) {
-    text += fmt::format("| {:.1f} | {:.4f} | {:.4f} | {:.4f} | {:.5f} |\n", number(r, "temperature_K"),
+    text += fmt::format("| {:.2f} | {:.4f} | {:.4f} | {:.4f} | {:.5f} |\n", number(r, "temperature_K"),
                         number(r, "conductivity_W_mK"), number(r, "conductivity_deviation_W_mK"),
                         number(r, "without_radiation_W_mK"), number(r, "air_conductivity_W_mK"));
   }
   if (json["measurements"].empty()) return text;
   text += "\n| measurement | T, K | k, W/(m K) | model | difference |\n|---|---|---|---|---|\n";
   for (const Json& m : json["measurements"]) {
-    text += fmt::format("| {} | {:.1f} | {:.4g} | {:.4f} | {:+.1f} % |\n", m["name"].get<std::string>(),
+    text += fmt::format("| {} | {:.2f} | {:.4g} | {:.4f} | {:+.1f} % |\n", m["name"].get<std::string>(),
                         number(m, "temperature_K"), number(m, "conductivity_W_mK"), number(m, "model_W_mK"),
                         number(m, "difference_percent"));
   }
@@ -146,8 +145,7 @@ ToolResult bed_tool(const ToolInput& input) {
   const auto deck = read_tool_deck<BedDeck>(input, check);
   Json rows = Json::array();
   Json measurements = Json::array();
-  for (const double t : evenly_spaced(deck.temperature.min, deck.temperature.max, deck.temperature.count))
-    rows.push_back(row_at(deck, t));
+  for (const double t : temperatures_of(deck.temperature)) rows.push_back(row_at(deck, t));
   for (const BedMeasurement& m : deck.measurements) measurements.push_back(compared(deck, m));
   ToolResult result;
   result.json = {{"tool", "bed"},

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "scene/text_table.h"
 #include "thermal/equivalence.h"
+#include "thermal/moments.h"
 
 namespace repose::thermal {
 
@@ -78,15 +79,21 @@ void check(CompareDeck& deck, DeckErrors& errors) {
     errors.add("orifice.hot", "\"hot\" of [orifice] must not be below \"cold\"");
 }
 
+/// The name of a column without the quotes around it.
+std::string_view name_of(std::string_view field) {
+  const bool is_quoted = field.size() > 1 && field.front() == '"' && field.back() == '"';
+  return is_quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
+}
+
 /// The columns of a CSV by name. An empty field is a measurement that was not made.
 Columns columns_of(const DataFile& file) {
   std::vector<std::string> names;
   Columns columns;
-  for_each_line(file.bytes, file.name, [&](std::string_view line, const FilePlace& place) {
+  const std::size_t last = for_each_line(file.bytes, file.name, [&](std::string_view line, const FilePlace& place) {
     const std::vector<std::string_view> fields = split_fields(line);
     if (names.empty()) {
       for (const std::string_view field : fields) {
-        names.push_back(compact(field));
+        names.emplace_back(name_of(field));
         if (names.back().empty()) fail_at(place, "a column of the header has no name");
         if (!columns.try_emplace(names.back()).second)
           fail_at(place, fmt::format("two columns are named \"{}\"", names.back()));
@@ -98,6 +105,8 @@ Columns columns_of(const DataFile& file) {
     for (std::size_t i = 0; i < fields.size(); ++i)
       if (!fields[i].empty()) columns[names[i]].push_back(parse_number(fields[i], names[i], place));
   });
+  if (names.empty())
+    fail_at({file.name, last}, "the file is empty; a header with the names of the columns was expected");
   return columns;
 }
 
@@ -113,9 +122,7 @@ const std::vector<double>& column(const Columns& columns, const std::string& nam
 
 Json figure_json(const ComparedFigure& f, const std::vector<double>& a, const std::vector<double>& b,
                  double significance) {
-  double mean = 0.0;
-  for (const double x : a) mean += x / static_cast<double>(a.size());
-  const double bound = std::isnan(f.bound) ? f.relative_bound * std::abs(mean) : f.bound;
+  const double bound = std::isnan(f.bound) ? f.relative_bound * std::abs(mean_of(a)) : f.bound;
   if (bound == 0.0)
     throw DeckError(fmt::format("\"{}\": a relative bound needs a mean of A that is not 0; give a bound", f.column));
   const Equivalence e = compare_means(a, b, bound, significance);

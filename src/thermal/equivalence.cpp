@@ -2,38 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "thermal/moments.h"
 #include "thermal/student.h"
 
 namespace repose::thermal {
-namespace {
-
-struct Moments {
-  double mean = 0.0;
-  double variance = 0.0;
-  double count = 0.0;
-
-  double squared_error() const { return variance / count; }
-};
-
-Moments moments_of(std::span<const double> values) {
-  const auto n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double squares = 0.0;
-  for (const double x : values) squares += (x - mean) * (x - mean);
-  return {mean, squares / (n - 1.0), n};
-}
-
-}  // namespace
 
 Equivalence compare_means(std::span<const double> a, std::span<const double> b, double bound, double significance) {
   const Moments first = moments_of(a);
   const Moments second = moments_of(b);
   Equivalence e{.mean_a = first.mean,
                 .mean_b = second.mean,
-                .deviation_a = std::sqrt(first.variance),
-                .deviation_b = std::sqrt(second.variance),
+                .deviation_a = first.deviation(),
+                .deviation_b = second.deviation(),
                 .difference = second.mean - first.mean};
   const double va = first.squared_error();
   const double vb = second.squared_error();

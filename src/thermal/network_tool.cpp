@@ -68,7 +68,7 @@ void describe(V& v, NetworkDeck& d) {
   v("shape_factor", d.shape_factor, Unit::none, above(0), optional, "of the model: 1.25 spheres");
   v("size_distribution", d.distribution, Unit::none, above(0), optional, "of the model, f(zeta): 1 for one size");
   v("flattening", d.flattening, Unit::none, from_to_below(0, 1), optional, "of the model");
-  v.sections("material", d.materials, required, "a material as heat sees it");
+  v.sections("material", d.materials, required, "a material as heat sees it; the model is that of the first");
   v.section("box", d.box, required, "where to measure");
   v.section("temperature", d.temperature, optional, "where to evaluate");
 }
@@ -85,8 +85,7 @@ void check(NetworkDeck& deck, DeckErrors& errors) {
     if (max[d] <= min[d]) errors.add("box.max", "each component of \"max\" of [box] must be above that of \"min\"");
   if (std::count(deck.box.periodic.begin(), deck.box.periodic.end(), deck.box.axis) > 0)
     errors.add("box.periodic", "the heat's way cannot be periodic: grains at both ends have different temperatures");
-  if (deck.temperature.max < deck.temperature.min)
-    errors.add("temperature.max", "\"max\" of [temperature] must not be below \"min\"");
+  check_range(deck.temperature, errors);
 }
 
 /// A bed as it was read, with its links.
@@ -187,7 +186,7 @@ Json row_at(const NetworkDeck& deck, const LinkedBed& bed, double temperature) {
   const NetworkResult network = conduct(bed.grains, bed.links, all, bed.box, bed.periods);
   const double through_contacts = std::accumulate(contact.begin(), contact.end(), 0.0);
   const double through_all = std::accumulate(all.begin(), all.end(), 0.0);
-  const HeatMaterial& material = deck.materials.front();
+  const HeatMaterial& material = deck.materials.front();  // the model knows one
   const double model = bed_conductivity({.porosity = bed.porosity,
                                          .diameter = bed.mean_diameter,
                                          .particle_conductivity = material.conductivity,
@@ -214,7 +213,7 @@ std::string text_of(const Json& bed) {
       bed["file"].get<std::string>(), bed["grains"].get<std::size_t>(), bed["porosity"].get<double>(),
       bed["contacts_per_grain"].get<double>(), bed["gaps"].get<std::size_t>());
   for (const Json& r : bed["conductivity"]) {
-    text += fmt::format("| {:.1f} | {:.4f} | {:.4f} | {:+.1f} % | {:.3f} |\n", r["temperature_K"].get<double>(),
+    text += fmt::format("| {:.2f} | {:.4f} | {:.4f} | {:+.1f} % | {:.3f} |\n", r["temperature_K"].get<double>(),
                         r["conductivity_W_mK"].get<double>(), r["model_W_mK"].get<double>(),
                         r["difference_percent"].get<double>(), r["contacts_share"].get<double>());
   }
@@ -230,8 +229,7 @@ ToolResult network_tool(const ToolInput& input) {
   for (const DataFile& file : input.files) {
     const LinkedBed bed = bed_of(deck, file);
     Json rows = Json::array();
-    for (const double t : evenly_spaced(deck.temperature.min, deck.temperature.max, deck.temperature.count))
-      rows.push_back(row_at(deck, bed, t));
+    for (const double t : temperatures_of(deck.temperature)) rows.push_back(row_at(deck, bed, t));
     beds.push_back({{"file", file.name},
                     {"grains", bed.grains.size()},
                     {"porosity", bed.porosity},
@@ -239,6 +237,7 @@ ToolResult network_tool(const ToolInput& input) {
                     {"contacts", bed.contacts},
                     {"gaps", bed.links.size() - bed.contacts},
                     {"contacts_per_grain", bed.contacts_per_grain},
+                    {"model_material", deck.materials.front().name},
                     {"conductivity", rows}});
     result.text += text_of(beds.back());
   }

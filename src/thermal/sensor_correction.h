@@ -16,7 +16,8 @@ double error_percent(double value, double reference);
 struct ErrorInterval {
   double low = 0.0;   ///< percent
   double high = 0.0;  ///< percent
-  bool contains(double error) const { return low <= error && error <= high; }
+  /// Whether an error that was itself rounded, by at most `half_unit` in percent, can be one of them.
+  bool allows(double error, double half_unit) const { return low - half_unit <= error && error <= high + half_unit; }
 };
 ErrorInterval possible_errors(double value, double reference, double half_unit);
 

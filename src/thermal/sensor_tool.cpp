@@ -42,6 +42,7 @@ struct SensorCorrectionDeck {
   std::string title;
   double specific_heat_half_unit = 0.005;
   double conductivity_half_unit = 0.005;
+  double printed_error_half_unit = 0.005;  ///< percent
   std::vector<MaterialReadings> materials;
 };
 
@@ -88,6 +89,8 @@ void describe(V& v, SensorCorrectionDeck& d) {
     "half a unit of the last digit of the specific heats");
   v("conductivity_half_unit", d.conductivity_half_unit, Unit::conductivity, at_least(0), optional,
     "half a unit of the last digit of the conductivities");
+  v("printed_error_half_unit", d.printed_error_half_unit, Unit::none, at_least(0), optional,
+    "half a unit of the last digit of the printed errors, percent");
   v.sections("material", d.materials, required, "a sample");
 }
 
@@ -115,8 +118,9 @@ void check(SensorCorrectionDeck& deck, DeckErrors& errors) {
   }
 }
 
-/// The error against the literature, beside the one that was printed and those that rounding allows.
-Json error_json(double value, double reference, double half_unit, double printed) {
+/// The error against the literature, beside the one that was printed and those that rounding allows. `half_unit` is
+/// half a unit of the last digit of value and reference.
+Json error_json(double value, double reference, double half_unit, double printed, double printed_half_unit) {
   if (std::isnan(reference)) return nullptr;
   const double error = error_percent(value, reference);
   const ErrorInterval possible = possible_errors(value, reference, half_unit);
@@ -124,7 +128,7 @@ Json error_json(double value, double reference, double half_unit, double printed
   if (std::isnan(printed)) return json;
   json["printed"] = printed;
   json["difference"] = error - printed;
-  json["printed_is_possible"] = possible.contains(printed);
+  json["printed_is_possible"] = possible.allows(printed, printed_half_unit);
   return json;
 }
 
@@ -134,9 +138,9 @@ Json room_json(const SensorCorrectionDeck& deck, const MaterialReadings& m, cons
           {"specific_heat_J_kgK", r.specific_heat.value},
           {"conductivity_W_mK", r.conductivity.value},
           {"specific_heat_error", error_json(r.specific_heat.value, m.specific_heat, deck.specific_heat_half_unit,
-                                             r.printed_specific_heat_error)},
+                                             r.printed_specific_heat_error, deck.printed_error_half_unit)},
           {"conductivity_error", error_json(r.conductivity.value, m.conductivity, deck.conductivity_half_unit,
-                                            r.printed_conductivity_error)}};
+                                            r.printed_conductivity_error, deck.printed_error_half_unit)}};
 }
 
 Json correction_json(const Measured& reading, const Measured& mica, const Measured& kapton, double reference) {
@@ -174,14 +178,17 @@ std::string error_text(const Json& e) {
                      e["difference"].get<double>(), e["printed_is_possible"].get<bool>() ? "" : " impossible");
 }
 
+/// Without deviations of the readings nothing is known of that of the result: then none is shown.
 std::string corrected_text(const Json& c, const char* shown) {
-  return fmt::format("  {}: {:.5g} read, {:+.5g} bias, {:.5g} +- {:.2g} corrected\n", shown, c["reading"].get<double>(),
-                     c["bias"].get<double>(), c["corrected"].get<double>(), c["corrected_deviation"].get<double>());
+  const double deviation = c["corrected_deviation"].get<double>();
+  return fmt::format("  {}: {:.5g} read, {:+.5g} bias, {:.5g}{} corrected\n", shown, c["reading"].get<double>(),
+                     c["bias"].get<double>(), c["corrected"].get<double>(),
+                     deviation > 0.0 ? fmt::format(" +- {:.3g}", deviation) : "");
 }
 
 std::string text_of(const Json& json) {
   std::string text =
-      "Errors in percent of the literature; a printed one is impossible when no rounding of the inputs gives it.\n\n"
+      "Errors in percent of the literature; a printed one is impossible when no rounding gives it.\n\n"
       "| sample | sensor | c_p error | printed | difference | k error | printed | difference |\n"
       "|---|---|---|---|---|---|---|---|\n";
   for (const Json& m : json["materials"]) {

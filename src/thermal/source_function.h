@@ -25,6 +25,8 @@ class SourceFunction {
   double operator()(double tau) const;
   /// dD/dtau.
   double derivative(double tau) const;
+  /// The tau from which on this is D: the cutoff of rings, below which it is 0.
+  double least_tau() const { return rings_ == 0 ? 0.0 : cutoff_; }
 
   static constexpr double min_tau = 1e-4;
   static constexpr double max_tau = 100.0;

@@ -37,14 +37,4 @@ D read_tool_deck(const ToolInput& input, Check&& check) {
   return read_described<D>(input.deck.bytes, input.deck.name, input.overrides, check);
 }
 
-/// `count` values from `first` to `last`, both included; one value is `first`.
-inline std::vector<double> evenly_spaced(double first, double last, std::int64_t count) {
-  std::vector<double> values;
-  for (std::int64_t i = 0; i < count; ++i) {
-    const double share = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
-    values.push_back(first + share * (last - first));
-  }
-  return values;
-}
-
 }  // namespace repose::thermal

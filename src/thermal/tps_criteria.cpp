@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
+#include "thermal/moments.h"
 #include "thermal/student.h"
 
 namespace repose::thermal {
 namespace {
-
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 /// Greatest step between successive residuals over the standard deviation of the steps; that from their median, which
 /// a jump does not widen. Rounding of a perfect fit is no jump.

@@ -34,10 +34,12 @@ class Line {
     return matrix;
   }
 
-  /// Intercept and slope of the line in least squares, from sums about the means.
+  /// Intercept and slope of the line in least squares, from sums about the means. Where all points are below the cutoff
+  /// of the rings D does not tell them apart: no slope.
   Eigen::Vector2d line(const Eigen::MatrixX3d& columns) const {
     const Eigen::VectorXd d = columns.col(1).array() - columns.col(1).mean();
-    const double slope = d.dot(rise_) / d.squaredNorm();
+    const double squares = d.squaredNorm();
+    const double slope = squares > 0.0 ? d.dot(rise_) / squares : 0.0;
     return {rise_.mean() - slope * columns.col(1).mean(), slope};
   }
 
@@ -110,6 +112,17 @@ double best_log_diffusivity(const Line& line, const TpsSetup& setup, const std::
   return 0.5 * (a + b);
 }
 
+/// That D is known at all points that are used.
+void check_cutoff(const Line& line, double diffusivity, const TpsSetup& setup, const SourceFunction& source,
+                  const std::string& name) {
+  const double first_tau = std::sqrt(diffusivity * line.time()[0]) / setup.radius;
+  if (first_tau >= source.least_tau()) return;
+  throw DeckError(fmt::format(
+      "{}: the first of the points that are used has tau = {:.3g}, below \"cutoff\" = {} of [sensor]; leave out more "
+      "points at the beginning, or begin the integral earlier",
+      name, first_tau, source.least_tau()));
+}
+
 /// value exp(+- t s) for the standard deviation s of the logarithm.
 Estimate estimate(double value, double log_variance, double t) {
   const double deviation = std::sqrt(log_variance);
@@ -136,6 +149,7 @@ TpsFit fit_transient(const Transient& transient, const TpsSetup& setup, const So
   fit.intercept = coefficients[0];
   fit.slope = coefficients[1];
   if (!(fit.slope > 0.0)) throw DeckError(fmt::format("{}: the temperature does not rise with time", name));
+  check_cutoff(line, std::exp(log_diffusivity), setup, source, name);
   const Eigen::VectorXd residual = line.residual(columns);
   fit.source.assign(columns.col(1).begin(), columns.col(1).end());
   fit.residual.assign(residual.begin(), residual.end());

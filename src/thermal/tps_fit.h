@@ -43,8 +43,8 @@ struct TpsFit {
 
 /// Varies the diffusivity until the rise over D(tau) is the straightest line, in least squares (thesis section 5.1;
 /// theory T.5 to T.7), and takes the conductivity from the slope. The intervals are those of the linearised model in
-/// the logarithms, with the variance of the residuals. DeckError, beginning with `name`, when there are too few points
-/// or they do not determine the diffusivity.
+/// the logarithms, with the variance of the residuals. DeckError, beginning with `name`, when there are too few points,
+/// when they do not determine the diffusivity, or when some lie before the cutoff of the rings.
 TpsFit fit_transient(const Transient& transient, const TpsSetup& setup, const SourceFunction& source,
                      const std::string& name);
 

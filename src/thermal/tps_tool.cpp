@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "thermal/moments.h"
 #include "thermal/student.h"
 #include "thermal/tps_deck.h"
 
@@ -27,8 +27,7 @@ Json json_of(const Criterion& c) {
 TpsSetup setup_of(const TpsDeck& deck, const Transient& transient, const std::string& name) {
   double power = deck.evaluation.power;
   if (!transient.power.empty()) {
-    power = std::accumulate(transient.power.begin(), transient.power.end(), 0.0) /
-            static_cast<double>(transient.power.size());
+    power = mean_of(transient.power);
   } else if (power <= 0.0) {
     throw DeckError(fmt::format("{}: has no column power, and the deck no evaluation.power; give one", name));
   }
@@ -74,17 +73,14 @@ Json evaluate(const TpsDeck& deck, const SourceFunction& source, const DataFile&
   return json;
 }
 
-/// Mean of one figure over the files, and its standard error from their scatter.
+/// Mean and scatter of one figure over the files, with the 95 % interval of the mean.
 Json scatter_of(const Json& results, const char* figure) {
   std::vector<double> values;
   for (const Json& r : results) values.push_back(r[figure]["value"].get<double>());
-  const auto n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double squares = 0.0;
-  for (const double x : values) squares += (x - mean) * (x - mean);
-  const double deviation = std::sqrt(squares / (n - 1.0));
-  const double half = student_quantile(0.975, n - 1.0) * deviation / std::sqrt(n);
-  return {{"mean", mean}, {"standard_deviation", deviation}, {"low_95", mean - half}, {"high_95", mean + half}};
+  const Moments m = moments_of(values);
+  const double half = student_quantile(0.975, m.count - 1.0) * std::sqrt(m.squared_error());
+  return {
+      {"mean", m.mean}, {"standard_deviation", m.deviation()}, {"low_95", m.mean - half}, {"high_95", m.mean + half}};
 }
 
 Json repeats_of(const RepeatsDeck& deck, const Json& results) {
@@ -160,6 +156,10 @@ ToolResult synthesise_tool(const ToolInput& input) {
   const SyntheticTransient& s = deck.synthetic.transient;
   const SourceFunction source = source_of(deck.sensor);
   const double tau = std::sqrt(s.duration * s.conductivity / s.volumetric_heat) / s.radius;
+  if (tau <= source.least_tau()) {
+    throw DeckError(fmt::format("{}: synthetic.duration = {} s is tau = {:.3g}, not above \"cutoff\" = {} of [sensor]",
+                                input.deck.name, s.duration, tau, source.least_tau()));
+  }
   if (tau > SourceFunction::max_tau) {
     throw DeckError(fmt::format("{}: synthetic.duration = {} s is tau = {:.3g}; at most {} is tabulated",
                                 input.deck.name, s.duration, tau, SourceFunction::max_tau));

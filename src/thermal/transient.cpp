@@ -1,5 +1,7 @@
 #include "thermal/transient.h"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -35,7 +37,7 @@ void add_row(std::string_view line, const FilePlace& place, const Columns& colum
   const double time = parse_number(fields[0], "time", place);
   const double last = !transient.time.empty()        ? transient.time.back()
                       : !transient.idle_time.empty() ? transient.idle_time.back()
-                                                     : time - 1.0;
+                                                     : -std::numeric_limits<double>::infinity();
   if (time <= last) fail_at(place, fmt::format("time = {} does not come after {}; sort the rows by time", time, last));
   double rise = parse_number(fields[1], columns.are_resistances ? "resistance" : "temperature", place);
   if (columns.are_resistances) rise = (rise / thermometer.resistance - 1.0) / thermometer.coefficient;  // (5.2)

@@ -110,6 +110,8 @@ class Thermal(unittest.TestCase):
         few = self.write("few.csv", "time,temperature\n1,1\n2,1.5\n")
         self.fails(2, "gives the porosity -0.03", "thermal", "bed", bed, "--set", "bulk_density=2600")
         self.fails(2, "gives the porosity -0.03", "thermal", "bed", bed, "--set", "bulk_density=2600", ranks=2)
+        self.fails(2, "conductivity.0.conductivity_W_mK would be", "thermal", "bed", bed, "--set", "bulk_density=1e-300")
+        self.fails(2, "sample_rise_K would be inf", "thermal", "synthesise", tps, "--set", "evaluation.power=1e308")
         self.fails(2, "unsorted.csv:4: time = 2 does not come after 3", "thermal", "tps", unsorted, "--deck", tps)
         self.fails(2, "few.csv: 2 points after time 0", "thermal", "tps", few, "--deck", tps)
         self.fails(2, 'unknown key "bulk_densty"', "thermal", "bed", bed, "--set", "bulk_densty=2600")

@@ -93,7 +93,19 @@ TEST(CompareTool, OrificeGrowsLessThanTheSmallestGrain) {
   EXPECT_FALSE(compare_tool(compared(before, {"orifice.max_share=0.2"})).json["orifice"]["is_below"].get<bool>());
 }
 
+/// As spreadsheets write them: a byte order mark, carriage returns, names in quotes and with blanks.
+TEST(CompareTool, ReadsFilesOfSpreadsheets) {
+  const DataFile file{"file.csv",
+                      "\xEF\xBB\xBF\"angle of repose\", discharged_mass_g ,area_1\r\n32,21,6\r\n33,22,7\r\n"};
+  const Json json =
+      compare_tool(example("thermal_compare.toml", {"figure.1.column=angle of repose"}, {file, file})).json;
+  EXPECT_EQ(json["figures"][1]["mean_a"], 32.5);
+}
+
 TEST(CompareTool, RefusesBadFiles) {
+  expect_deck_error([] { compare_tool(compared("# nothing\n")); }, "after.csv:1: the file is empty; a header");
+  expect_deck_error([] { compare_tool(compared("discharged_mass_g,angle_of_repose_deg,area_1\n")); },
+                    "after.csv: column \"discharged_mass_g\" has 0 values; two are needed");
   expect_deck_error([] { compare_tool(compared("discharged_mass_g,area_1\n1,2\n3,4\n")); },
                     "after.csv: has no column \"angle_of_repose_deg\"");
   expect_deck_error([] { compare_tool(compared("discharged_mass_g,angle_of_repose_deg,area_1\n1,2,3\n")); },

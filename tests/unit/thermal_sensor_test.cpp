@@ -39,6 +39,21 @@ TEST(SensorTool, ReproducesTables51And52) {
   EXPECT_EQ(compared, 8);
 }
 
+/// The printed errors are rounded, too: 2.174 % is printed as 2.17, and possible. Only 20.97 for 20.996 % is not.
+TEST(SensorTool, AllowsForTheRoundingOfThePrintedErrors) {
+  const auto impossible = [](std::vector<std::string> overrides) {
+    std::vector<double> printed;
+    const Json json = sensor_tool(example("thermal_sensor.toml", std::move(overrides))).json;
+    for (const Json& material : json["materials"])
+      for (const Json& r : material["room"])
+        if (const Json& e = r["specific_heat_error"]; !e.is_null() && !e["printed_is_possible"].get<bool>())
+          printed.push_back(e["printed"].get<double>());
+    return printed;
+  };
+  EXPECT_EQ(impossible({}), std::vector<double>{20.97});
+  EXPECT_EQ(impossible({"printed_error_half_unit=0"}).size(), 6U);
+}
+
 /// An error that no rounding gives is called impossible: 0.29 instead of 0.31 W/(m K), for which 45.163 % is printed.
 TEST(SensorTool, TellsAnImpossibleError) {
   const Json json = sensor_tool(example("thermal_sensor.toml", {"material.carbohsp.room.2.conductivity=0.29"})).json;
@@ -93,6 +108,9 @@ TEST(SensorTool, CorrectsToKapton) {
   EXPECT_NEAR(hot["specific_heat_J_kgK"]["reading_error_percent"].get<double>(), 17.64, 0.05);
   EXPECT_NEAR(hot["specific_heat_J_kgK"]["corrected_error_percent"].get<double>(), 2.33, 0.05);
   EXPECT_NEAR(hot["conductivity_W_mK"]["corrected"].get<double>(), 0.21, 1e-12);
+  // 2 % of 0.30, of 0.30 again and of 0.21 W/(m K)
+  EXPECT_NEAR(hot["conductivity_W_mK"]["corrected_deviation"].get<double>(),
+              0.02 * std::sqrt(0.30 * 0.30 + 0.30 * 0.30 + 0.21 * 0.21), 1e-12);
 }
 
 TEST(SensorTool, NeedsBothReadingsAtRoomTemperature) {

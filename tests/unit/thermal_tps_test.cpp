@@ -5,6 +5,7 @@
 
 #include "thermal/source_function.h"
 #include "thermal/tps_fit.h"
+#include "thermal_files.h"
 #include "thermal_samples.h"
 
 namespace repose::thermal {
@@ -132,6 +133,22 @@ TEST(TpsFit, CutoffDoesNotMatter) {
   EXPECT_NEAR(narrow.conductivity.value / wide.conductivity.value, 1.0, 1e-5);
   EXPECT_NEAR(narrow.diffusivity.value / wide.diffusivity.value, 1.0, 1e-5);
   EXPECT_GT(std::abs(narrow.intercept - wide.intercept), 0.01);
+}
+
+/// Nor does a wide one, as long as the points lie beyond it; it is refused when they do not. The first of 200 points is
+/// at tau = 0.047, the eleventh at 0.15.
+TEST(TpsFit, PointsLieBeyondTheCutoff) {
+  const SyntheticTransient s = steel().measurement;
+  const Transient transient = synthesise(s, rings());
+  const SourceFunction wide = SourceFunction::of_rings(15, 0.1);
+  TpsSetup setup = setup_of(s);
+  const TpsFit fit = fit_transient(transient, setup, wide, "synthetic");
+  EXPECT_NEAR(fit.conductivity.value / fit_transient(transient, setup, rings(), "synthetic").conductivity.value, 1.0,
+              1e-5);
+  setup.first = 0;
+  EXPECT_NO_THROW(fit_transient(transient, setup, SourceFunction::of_rings(15, 0.045), "synthetic"));
+  expect_deck_error([&] { fit_transient(transient, setup, SourceFunction::of_rings(15, 0.049), "steel.csv"); },
+                    "steel.csv: the first of the points that are used has tau = 0.046");
 }
 
 /// (T.7): an uncertain power and radius widen the intervals in quadrature.

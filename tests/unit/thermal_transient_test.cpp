@@ -33,6 +33,12 @@ TEST(TpsTool, EvaluatesWhatWasSynthesised) {
   }
 }
 
+TEST(TpsTool, MakesNothingUpBeyondItsTable) {
+  expect_deck_error([] { made(decks[0], {"synthetic.duration=0.1 ms"}); },
+                    "synthetic.duration = 0.0001 s is tau = 0.00294, not above \"cutoff\" = 0.01 of [sensor]");
+  expect_deck_error([] { made(decks[0], {"synthetic.duration=1e6 s"}); }, "at most 100 is tabulated");
+}
+
 TEST(TpsTool, ReportsABrokenCriterion) {
   const Json result =
       tps_tool(example(decks[0], {"criteria.available_depth=5 mm"}, {made(decks[0])})).json["transients"][0];
@@ -51,7 +57,11 @@ TEST(TpsTool, ChecksTheRepeats) {
   const Json good = repeats("[0, 2700, 5400]", files);
   EXPECT_TRUE(good["is_met"].get<bool>());
   EXPECT_NEAR(good["conductivity_W_mK"]["mean"].get<double>() / 13.55, 1.0, 0.003);
-  EXPECT_GT(good["conductivity_W_mK"]["standard_deviation"].get<double>(), 0.0);
+  const double deviation = good["conductivity_W_mK"]["standard_deviation"].get<double>();
+  EXPECT_GT(deviation, 0.0);
+  // Student's t of 95 % with 2 degrees of freedom, 4.302653, over sqrt(3)
+  EXPECT_NEAR(good["conductivity_W_mK"]["high_95"].get<double>() - good["conductivity_W_mK"]["mean"].get<double>(),
+              2.484138 * deviation, 1e-6 * deviation);
   EXPECT_FALSE(repeats("[0, 2700, 5000]", files)["is_met"].get<bool>());
   EXPECT_FALSE(repeats("[0, 2700]", {files[0], files[1]})["is_met"].get<bool>());
   expect_deck_error([&] { repeats("[0, 2700]", files); }, "[repeats] starts has 2 times for 3 files");
@@ -68,6 +78,16 @@ TEST(ParseTransient, ReadsResistances) {
         parse_transient({"r.csv", "time,resistance\n1,10\n"}, {});
       },
       "r.csv:1: a column of resistances needs resistance and resistance_coefficient");
+}
+
+/// As spreadsheets write them: a byte order mark, carriage returns, no end of the last line; a time of any size.
+TEST(ParseTransient, ReadsFilesOfSpreadsheets) {
+  const Transient t = parse_transient({"t.csv",
+                                       "\xEF\xBB\xBF"
+                                       "time,temperature\r\n-1e20,0\r\n0.5,2"},
+                                      {});
+  EXPECT_EQ(t.idle_time, std::vector<double>{-1e20});
+  EXPECT_EQ(t.rise, std::vector<double>{2.0});
 }
 
 TEST(ParseTransient, RefusesBadFiles) {

@@ -21,6 +21,7 @@ from paraview import simple  # noqa: E402
 from wall_surfaces import vtp_of, wall_surfaces  # noqa: E402
 
 GREY, SIZE = (0.62, 0.66, 0.72), (1200, 1000)
+COLOURS = ((0.0, (0.82, 0.69, 0.47)), (0.5, (0.35, 0.56, 0.66)), (1.0, (0.04, 0.22, 0.55)))  # sand at rest to blue
 
 
 def show_grains(folder, view):
@@ -28,13 +29,14 @@ def show_grains(folder, view):
     reader = simple.OpenDataFile(os.path.join(folder, "run.hdf.series"))
     reader.UpdatePipeline()
     speed = simple.Calculator(Input=reader, Function="mag(velocity)", ResultArrayName="speed, m/s")
-    grains = simple.Glyph(registrationName="grains", Input=speed, GlyphType="Sphere")
-    grains.ScaleArray = ["POINTS", "radius"]
-    grains.ScaleFactor = 2.0  # ParaView's sphere has the radius 0.5
-    grains.GlyphMode = "All Points"
-    grains.GlyphType.ThetaResolution = 16
-    grains.GlyphType.PhiResolution = 12
-    display = simple.Show(grains, view)
+    simple.RenameSource("grains", speed)
+    display = simple.Show(speed, view)
+    display.SetRepresentationType("Point Gaussian")  # spheres without triangles: those of a full vessel fill the memory
+    display.ShaderPreset = "Sphere"
+    display.GaussianRadius = 1.0
+    display.ScaleByArray = 1
+    display.SetScaleArray = ["POINTS", "radius"]
+    display.UseScaleFunction = 0
     simple.ColorBy(display, ("POINTS", "speed, m/s"))
     display.SetScalarBarVisibility(view, True)
     return reader, display
@@ -60,10 +62,10 @@ def show_walls(folder, surfaces, hidden, view):
 def set_scale(display, reader):
     """Colours from rest to the greatest speed of the snapshot shown."""
     transfer = simple.GetColorTransferFunction("speed, m/s")
-    transfer.ApplyPreset("Viridis (matplotlib)", True)
     simple.UpdatePipeline(proxy=reader)
     display.RescaleTransferFunctionToDataRange(False, True)
     low, high = transfer.RGBPoints[0], transfer.RGBPoints[-4]
+    transfer.RGBPoints = [value for share, colour in COLOURS for value in (share, *colour)]
     transfer.RescaleTransferFunction(0.0, high if high > low else 1.0)
     bar = simple.GetScalarBar(transfer, simple.GetActiveView())
     bar.Title, bar.ComponentTitle = "speed, m/s", ""

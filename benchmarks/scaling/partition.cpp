@@ -1,6 +1,7 @@
 // Divides the particles of snapshots into parts, one per rank of an imagined run, by the decomposition of the program,
 // and prints as JSON what each division asks of its parts: `repose_partition PARTS SNAPSHOT...`, PARTS such as
-// 8,64,512. Every snapshot is divided anew, and by the planes of the first one. One process, one core.
+// 8,64,512. Every snapshot is divided by new planes ("new"), by those of the first one ("first"), and by those of a run
+// that balances its load at each of the snapshots before, when it is out of bounds ("bound"). One process, one core.
 
 #include <algorithm>
 #include <array>
@@ -182,14 +183,21 @@ int run(const std::vector<std::string>& words) {
   std::istringstream list(words.at(0));
   for (std::string part; std::getline(list, part, ',');) counts.push_back(std::stoi(part));
   std::vector<Decomposition> first;
+  std::vector<Decomposition> bound;
   Json rows = Json::array();
   for (std::size_t file = 1; file < words.size(); ++file) {
     const State state(comm, words[file]);
     for (std::size_t k = 0; k < counts.size(); ++k) {
       const Decomposition division = divide(comm, state, counts[k]);
-      if (file == 1) first.push_back(division);
+      if (file == 1) {
+        first.push_back(division);
+        bound.push_back(division);
+      }
       rows.push_back(row(state, division, counts[k], "new"));
       rows.push_back(row(state, first[k], counts[k], "first"));
+      rows.push_back(row(state, bound[k], counts[k], "bound"));
+      const double limit = state.simulation().deck().neighbours.max_imbalance;
+      if (rows.back()["cost_imbalance"].get<double>() > limit) bound[k] = division;
     }
   }
   std::puts(rows.dump(1).c_str());

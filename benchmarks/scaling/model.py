@@ -11,8 +11,9 @@ import numpy as np
 ASSUMPTIONS = {
     "latency_s": 1.5e-6,           # of a message, from one rank to another on any node
     "overhead_s": 0.5e-6,          # of processor time per message sent or received
-    "node_bandwidth_B_s": 25e9,
-    "ranks_per_node": 64,          # which share that bandwidth; every message leaves its node
+    "node_bandwidth_B_s": 25e9,    # shared by its ranks
+    "ranks_per_node": 64,          # a branch of the tree of the bisection: one block of space
+    "copy_B_s": 5e9,               # of a rank, through the memory of the node
     "ghost_s": 20e-9,              # packing and unpacking one
     "exchanges_per_rebuild": 3,    # with all others: how much, then the messages
     "histogram_rounds": 4,         # of the bisection, for each level of the tree
@@ -24,6 +25,7 @@ SCENES = (  # name, grains of a run on so many ranks
     ("100 000 000 grains", lambda ranks: 100000000),
     ("50 000 grains per rank", lambda ranks: 50000 * ranks),
 )
+MOTION = 72  # bytes of a ghost in each step
 RANKS = (100, 300, 1000, 3000, 10000)
 
 
@@ -38,7 +40,8 @@ class Measured:
     """What the figures of a run and of divided snapshots say of a part with n grains."""
 
     def __init__(self, results):
-        one = read(results, "bed_156000")["runs"]["1"][0]
+        discharge = read(results, "discharge_*")["runs"]
+        one = discharge["1"][0]
         grain_steps = one["particles"]["inside"] * one["steps"]
         self.grain_s = one["timing"]["loop_cpu_s"] / grain_steps  # of a grain and a step, with its contacts and lists
         stages = one["timing"]["stages"]
@@ -59,9 +62,10 @@ class Measured:
         division = {kind: np.mean([r["cost_imbalance"] for r in run["rows"] if r["planes"] == kind]) for kind in ("new", "bound")}
         self.drift = division["bound"] / division["new"]
         several = run["runs"].get("balanced", run["runs"]["one_rank"])
+        self.bisections = several["parallel"]["bisections"] / several["lists"]["rebuilds"]  # new planes per rebuild
+        several = discharge["8"][0]
         self.collectives = several["parallel"]["collectives_per_step"]
         self.rebuilds = several["lists"]["rebuilds"] / several["steps"]
-        self.bisections = several["parallel"]["bisections"] / several["steps"]
 
     def of_part(self, key, n):
         """Between the sizes that were measured by interpolation; for larger parts what belongs to the surface goes with
@@ -69,12 +73,15 @@ class Measured:
         beyond = math.exp(min(0.0, self.log_n[-1] - math.log(n)) / 3.0) if key in ("twice", "ghosts") else 1.0
         return float(np.interp(math.log(n), self.log_n, self.tables[key])) * beyond
 
+    def busiest_ghosts(self, n):
+        return n * self.of_part("ghosts", n) * self.of_part("busiest", n)
+
     def holds(self, n):
         return math.log(n) > self.log_n[0] - 0.05
 
 
 def collective_s(ranks, size):
-    """Of log2(ranks) rounds, each with a message of `size` bytes."""
+    """Of log2(ranks) rounds, each with a message of `size` bytes from every rank."""
     bandwidth = ASSUMPTIONS["node_bandwidth_B_s"] / ASSUMPTIONS["ranks_per_node"]
     return math.ceil(math.log2(ranks)) * (ASSUMPTIONS["latency_s"] + ASSUMPTIONS["overhead_s"] + size / bandwidth)
 
@@ -82,18 +89,19 @@ def collective_s(ranks, size):
 def step_s(measured, ranks, n):
     """Seconds of a step on `ranks` ranks of n grains each: work, ghosts, reductions, rebuilds."""
     a = ASSUMPTIONS
-    bandwidth = a["node_bandwidth_B_s"] / a["ranks_per_node"]
     twice = measured.of_part("twice", n)
     work = measured.of_part("imbalance", n) * measured.drift * n * (
         measured.grain_s + measured.pairs * measured.pair_s * twice)
-    ghosts = n * measured.of_part("ghosts", n) * measured.of_part("busiest", n)
+    ghosts = measured.busiest_ghosts(n)
+    of_node = measured.busiest_ghosts(n * a["ranks_per_node"])
     messages = measured.of_part("neighbours", n)
-    exchange = (2 * messages * a["overhead_s"] + a["latency_s"] + ghosts * 72.0 / bandwidth, ghosts * a["ghost_s"])
+    exchange = (2 * messages * a["overhead_s"] + a["latency_s"] + ghosts * MOTION / a["copy_B_s"]
+                + of_node * MOTION / a["node_bandwidth_B_s"], ghosts * a["ghost_s"])
     reductions = measured.collectives * collective_s(ranks, 8)
     all_to_all = collective_s(ranks, 4 * ranks)  # half of 8 bytes for each rank in each round
     levels = range(math.ceil(math.log2(ranks)))
     bisection = sum(a["histogram_rounds"] * collective_s(ranks, 2**level * a["histogram_B"]) for level in levels)
-    rebuilds = measured.rebuilds * a["exchanges_per_rebuild"] * all_to_all + measured.bisections * bisection
+    rebuilds = measured.rebuilds * (a["exchanges_per_rebuild"] * all_to_all + measured.bisections * bisection)
     return work, exchange, reductions, rebuilds
 
 

@@ -49,7 +49,11 @@ def commit():
 def save(path, **content):
     path.parent.mkdir(parents=True, exist_ok=True)
     head = {"date": time.strftime("%Y-%m-%d"), "machine": machine(), "commit": commit()}
-    path.write_text(json.dumps({**head, **content}, indent=1) + "\n")
+    rows = content.pop("rows", [])
+    text = json.dumps({**head, **content}, indent=1)
+    if rows:  # one to a line
+        text = text[:-2] + ',\n "rows": [\n  ' + ",\n  ".join(json.dumps(row) for row in rows) + "\n ]\n}"
+    path.write_text(text + "\n")
     print(f"wrote {path}")
 
 

@@ -46,7 +46,7 @@ def without(text, headers):
 
 def settled_bed(program, work, size, ranks=1):
     """The deck of a settled bed, from the program's own snapshot, and the overrides for its size. Made once: settling
-    takes 6000 steps."""
+    takes 10 000 steps."""
     edge = BED_EDGE * math.sqrt(size / BED_SIZE)
     sets = [f"domain.max=[{edge + 1e-3}, {edge + 1e-3}, 0.03]", f"wall.east.point=[{edge}, 0.0, 0.0]",
             f"wall.north.point=[0.0, {edge}, 0.0]"]
@@ -54,7 +54,7 @@ def settled_bed(program, work, size, ranks=1):
     state = folder / "state.hdf"
     if not state.exists():
         folder.mkdir(parents=True, exist_ok=True)
-        fill = [f"particles.0.count={size}", f"particles.0.max=[{edge}, {edge}, 0.02]"]
+        fill = [f"particles.0.count={size}", f"particles.0.max=[{edge}, {edge}, 0.025]"]
         options = [word for text in [*sets, *fill] for word in ("--set", text)]
         subprocess.run([*launcher(ranks), program, "run", BED, "--output", folder / "settling", "--quiet", *options],
                        check=True, stdout=subprocess.DEVNULL)

@@ -68,10 +68,14 @@ class Measured:
         self.rebuilds = several["lists"]["rebuilds"] / several["steps"]
 
     def of_part(self, key, n):
-        """Between the sizes that were measured by interpolation; for larger parts what belongs to the surface goes with
-        it, and the rest stays."""
-        beyond = math.exp(min(0.0, self.log_n[-1] - math.log(n)) / 3.0) if key in ("twice", "ghosts") else 1.0
-        return float(np.interp(math.log(n), self.log_n, self.tables[key])) * beyond
+        """What belongs to the surface of a part goes with it, from the smallest parts, which mostly have others on all
+        sides: of few large ones most sides are free. The number of neighbours is the most of any division. The rest
+        is interpolated."""
+        if key in ("twice", "ghosts"):
+            return float(self.tables[key][0] * math.exp((self.log_n[0] - math.log(n)) / 3.0))
+        if key == "neighbours":
+            return float(max(self.tables[key]))
+        return float(np.interp(math.log(n), self.log_n, self.tables[key]))
 
     def busiest_ghosts(self, n):
         return n * self.of_part("ghosts", n) * self.of_part("busiest", n)

@@ -47,7 +47,7 @@ def arguments():
     sub.add_argument("--ranks", type=int, default=8, help="of the run")
     sub.add_argument("--set", action="append", default=[], help="override of the deck")
     sub.add_argument("--interval", type=float, default=2e-3, help="s between the snapshots that are divided")
-    sub.add_argument("--no-ranks", action="store_true", help="only divide the snapshots of a run on one rank")
+    sub.add_argument("--runs", default="one_rank,balanced,not_balanced", help="those whose snapshots are divided come first")
     commands.add_parser("predict", parents=[common], formatter_class=formatter, help="efficiency on a cluster, a model")
     sub = commands.add_parser("plot", parents=[common], formatter_class=formatter, help="pictures of all results")
     return parser.parse_args()
@@ -180,21 +180,24 @@ def means_of(rows, planes):
 
 
 def balance(args):
-    """A whole discharge on some ranks, with and without new decompositions; and its snapshots, divided offline."""
-    args.work.mkdir(parents=True, exist_ok=True)
+    """A whole discharge on some ranks, with and without new decompositions; and its snapshots, divided offline. Runs
+    that are complete are not run again."""
+    folder = args.work / f"balance_{args.deck.stem}"
+    folder.mkdir(parents=True, exist_ok=True)
+    ways = {"one_rank": (1, [f"output.snapshot_interval={args.interval}"]), "balanced": (args.ranks, []),
+            "not_balanced": (args.ranks, ["neighbours.max_imbalance=1e6"])}
     kept = {}
-    ways = {"one_rank": (1, [f"output.snapshot_interval={args.interval}"])}
-    if not args.no_ranks:
-        ways |= {"balanced": (args.ranks, []), "not_balanced": (args.ranks, ["neighbours.max_imbalance=1e6"])}
-    for name, (ranks, sets) in ways.items():
-        output = args.work / f"balance_{name}"
+    for name in args.runs.split(","):
+        ranks, sets = ways[name]
+        output = folder / name
         options = [word for text in [*args.set, *sets] for word in ("--set", text)]
-        subprocess.run([*states.launcher(ranks), args.program, "run", args.deck, "--output", output, "--quiet", *options],
-                       check=True, stdout=subprocess.DEVNULL)
+        if not (output / "summary.json").exists():
+            subprocess.run([*states.launcher(ranks), args.program, "run", args.deck, "--output", output, "--quiet",
+                            *options], check=True, stdout=subprocess.DEVNULL)
         kept[name] = summary_in(output)
     if len({summary["state_hash"] for summary in kept.values()}) != 1:
         raise SystemExit("the states differ")
-    rows = divide(args, sorted((args.work / "balance_one_rank").glob("run_*.hdf")), [args.ranks])
+    rows = divide(args, sorted((folder / "one_rank").glob("run_*.hdf")), [args.ranks])
     table = balance_table(kept, rows)
     print_table(table)
     save(args.results / f"balance_{args.deck.stem}.json", ranks=args.ranks, sets=args.set, table=table, rows=rows, runs=kept)

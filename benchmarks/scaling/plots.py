@@ -28,8 +28,8 @@ def scaling(content):
     ranks = [row["ranks"] for row in table]
     figure, axes = plt.subplots(2, 3, figsize=(11, 6))
     panels = {"wall s": "time of the loop (s)", "efficiency": "parallel efficiency, by wall time",
-              "efficiency of the work": "the same without waiting, by cpu time", "imbalance of pairs": "busiest rank over the mean",
-              "ghosts per grain": "ghosts per grain", "communication share": "share of the time for ghosts and agreement"}
+              "efficiency of the work": "the same by cpu time of the work", "imbalance of pairs": "busiest rank over the mean",
+              "ghosts per grain": "ghosts per grain", "communication share": "share of ghosts and agreement"}
     for axis, (key, title) in zip(axes.flat, panels.items()):
         axis.plot(ranks, [row[key] for row in table], "o-", label="pairs")
         if key == "imbalance of pairs":

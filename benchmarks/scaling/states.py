@@ -23,6 +23,7 @@ file = "{file}"
 OUTPUT = """
 [output]
 series_interval = 1e3
+checkpoint_minutes = 0
 """
 
 

@@ -62,7 +62,7 @@ def print_table(rows):
     columns = list(rows[0])
     print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
     for row in rows:
-        print("| " + " | ".join(shown(row[c]) for c in columns) + " |")
+        print("| " + " | ".join(shown(row.get(c)) for c in columns) + " |")
 
 
 def shown(value):

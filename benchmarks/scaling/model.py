@@ -85,9 +85,12 @@ class Measured:
 
 
 def collective_s(ranks, size):
-    """Of log2(ranks) rounds, each with a message of `size` bytes from every rank."""
+    """Of log2(ranks) rounds, each with a message of `size` bytes from every rank; long ones scatter and gather by halves
+    (Rabenseifner), so that each byte travels twice."""
     bandwidth = ASSUMPTIONS["node_bandwidth_B_s"] / ASSUMPTIONS["ranks_per_node"]
-    return math.ceil(math.log2(ranks)) * (ASSUMPTIONS["latency_s"] + ASSUMPTIONS["overhead_s"] + size / bandwidth)
+    rounds = math.ceil(math.log2(ranks))
+    message = ASSUMPTIONS["latency_s"] + ASSUMPTIONS["overhead_s"]
+    return min(rounds * (message + size / bandwidth), 2 * rounds * message + 2 * size / bandwidth)
 
 
 def step_s(measured, ranks, n):

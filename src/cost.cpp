@@ -6,9 +6,43 @@
 #include <sys/resource.h>
 
 namespace repose {
+namespace {
 
-void summarise_cost(const Simulation& simulation, Summary& summary) {
+RankSpread spread_of(const Communicator& comm, double here) {
+  return {comm.min(here), comm.sum(here) / comm.size(), comm.max(here)};
+}
+
+/// Processor time of what a rank does without waiting for others.
+double work_cpu_seconds(const StageClock& clock) {
+  const StageClock::Seconds cpu = clock.estimated_cpu_seconds();
+  double seconds = 0.0;
+  for (const Stage stage : {Stage::pair_contacts, Stage::wall_contacts, Stage::integration}) {
+    seconds += cpu[static_cast<std::size_t>(stage)];
+  }
+  return seconds;
+}
+
+ParallelSummary summarise_division(const Simulation& simulation, double cpu_seconds) {
   const Communicator& comm = simulation.comm();
+  RankLoad load = simulation.load();
+  const Traffic traffic = load.traffic(comm);  // before the next collective calls
+  load.compare(comm);
+  return {.bisections = simulation.counters().bisections,
+          .imbalance = load.imbalance(),
+          .loop_cpu_seconds = spread_of(comm, cpu_seconds),
+          .work_cpu_seconds = spread_of(comm, work_cpu_seconds(simulation.clock())),
+          .pairs_per_step = spread_of(comm, load.pairs_per_step()),
+          .ghosts_per_step = spread_of(comm, load.ghosts_per_step()),
+          .messages_per_step = spread_of(comm, load.per_step(traffic.messages)),
+          .bytes_per_step = spread_of(comm, load.per_step(traffic.bytes)),
+          .collectives_per_step = load.per_step(traffic.collectives)};
+}
+
+}  // namespace
+
+void summarise_cost(const Simulation& simulation, double cpu_seconds, Summary& summary) {
+  const Communicator& comm = simulation.comm();
+  summary.parallel = summarise_division(simulation, cpu_seconds);
   std::array<double, stage_names.size()> sum = simulation.clock().seconds();
   std::array<double, stage_names.size()> longest = sum;
   comm.sum_elements(std::span(sum.begin(), sum.end()));

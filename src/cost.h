@@ -5,7 +5,8 @@
 
 namespace repose {
 
-/// Collective. What the time loop has cost so far, in the summary: wall time by stage, lists, ghosts, memory.
-void summarise_cost(const Simulation& simulation, Summary& summary);
+/// Collective. What the time loop has cost so far, in the summary: wall time by stage, lists, ghosts, memory, and how
+/// it was divided among the ranks, of which this one has taken `cpu_seconds` of processor time.
+void summarise_cost(const Simulation& simulation, double cpu_seconds, Summary& summary);
 
 }  // namespace repose

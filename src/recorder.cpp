@@ -241,9 +241,10 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
   const Communicator& comm = simulation.comm();
   Summary s;
   s.loop_wall_seconds = seconds_since(start_);
-  s.loop_cpu_seconds = comm.sum(static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC);
+  const double cpu_seconds = static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC;
+  s.loop_cpu_seconds = comm.sum(cpu_seconds);
   s.particle_steps_per_cpu_second = particle_steps_ / s.loop_cpu_seconds;
-  summarise_cost(simulation, s);
+  summarise_cost(simulation, cpu_seconds, s);
   s.checkpoints = checkpoints;
   write_snapshot_now(simulation);
   if (!phases_.empty()) write_series_row(simulation, phases_.back().name);

@@ -33,7 +33,8 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       materials_(deck),
       scene_(deck, make_walls(deck, materials_, read_file)),
       decomposition_(comm.size()),
-      ghosts_(comm) {
+      ghosts_(comm),
+      load_(comm) {
   particles_.periodic = Periodicity(deck_.domain);
   open_domain_ = particles_.periodic.open_bounds(deck_.domain);
   left_ = ExitCount::none(deck_.exits.size());
@@ -58,6 +59,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   evaluate_forces(0.0);
   check_guards();
   clock_ = {};  // the set-up belongs to no stage
+  load_ = RankLoad(comm_);
 }
 
 /// Each rank starts with an equal share of the particles; the first rebuild sends them where they belong.
@@ -74,6 +76,7 @@ void Simulation::insert(const NewParticles& all) {
 void Simulation::advance(std::int64_t steps) {
   const double dt = time_step_.step;
   for (std::int64_t k = 0; k < steps; ++k) {
+    clock_.begin_step();
     clock_.enter(Stage::integration);
     const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
     const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), particles_);
@@ -86,6 +89,7 @@ void Simulation::advance(std::int64_t steps) {
     const bool grows = steps_ + 1 == pouring_.next_step() && pour();
     renew_lists(grows ? ListState::outer_stale : state);
     evaluate_forces(dt);
+    load_.count_step(pairs_.lanes(), particles_.ghosts());
     ++steps_;
   }
   clock_.enter(Stage::integration);
@@ -223,15 +227,15 @@ void Simulation::ignore_held(std::vector<IndexPair>& near, std::vector<double>& 
 /// A new decomposition when the busiest rank has more than its share, measured in counted particles and pairs.
 void Simulation::balance() {
   if (comm_.size() == 1) return;
-  constexpr std::int64_t particle_cost = 2;  // in units of a listed pair
-  std::vector<std::int64_t> cost = pairs_.pairs_of_owned(particles_);
+  load_.compare(comm_);
+  const std::vector<std::int64_t> cost = cost_of_owned(pairs_, particles_);
   std::vector<Vec3> positions;
   std::vector<std::int64_t> alive_cost;
   std::int64_t here = 0;
   for (std::size_t i = 0; i < particles_.owned; ++i) {
     if (is_parked(particles_.record[i])) continue;
     positions.push_back(particles_.record[i].position);
-    alive_cost.push_back(particle_cost + cost[i]);
+    alive_cost.push_back(cost[i]);
     here += alive_cost.back();
   }
   const std::int64_t total = comm_.sum(here);

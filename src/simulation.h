@@ -18,6 +18,7 @@
 #include "neighbours/pair_lists.h"
 #include "neighbours/skin_watch.h"
 #include "pouring.h"
+#include "rank_load.h"
 #include "scene/insertion.h"
 #include "scene/mass_unit.h"
 #include "scene/materials.h"
@@ -98,6 +99,7 @@ class Simulation {
   const SkinWatch& skins() const { return watch_; }
   /// Where this rank's time has gone since the set-up; what happens between two calls of advance is Stage::output.
   const StageClock& clock() const { return clock_; }
+  const RankLoad& load() const { return load_; }
   /// Bytes this rank holds for its particles, ghosts, neighbour lists and contact histories.
   std::size_t memory_bytes() const;
   /// Particles that have entered so far, those of the start and those poured; planned() counts all that ever will.
@@ -158,6 +160,7 @@ class Simulation {
   WallContacts wall_contacts_;
   std::int64_t steps_ = 0;
   StageClock clock_;
+  RankLoad load_;
   RunCounters counters_;
   double safe_step_ = 0.0;             ///< m: who moves by less along each axis has not moved by longest_way
   std::vector<std::int32_t> crowded_;  ///< particles whose force sums could come to be full

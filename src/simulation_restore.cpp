@@ -77,6 +77,7 @@ void Simulation::restore(Particles particles, ContactMemory memory, const ExitCo
   left_ = comm_.is_root() ? left : ExitCount::none(deck_.exits.size());
   warning_.reset();
   clock_ = {};
+  load_ = RankLoad(comm_);
 }
 
 }  // namespace repose

@@ -45,6 +45,7 @@ Communicator::~Communicator() { MPI_Comm_free(&comm_); }
 
 std::int64_t Communicator::exclusive_sum(std::int64_t value) const {
   std::int64_t below = 0;
+  ++traffic_.collectives;
   check_mpi(MPI_Exscan(&value, &below, 1, MPI_INT64_T, MPI_SUM, comm_), "MPI_Exscan");
   return rank_ == 0 ? 0 : below;  // MPI leaves rank 0 undefined
 }
@@ -54,6 +55,7 @@ void Communicator::broadcast(std::string& text, int root, std::size_t piece) con
   broadcast(length, root);
   text.resize(static_cast<std::size_t>(length));
   for_each_piece(text.size(), piece, [&](std::size_t begin, int count) {
+    ++traffic_.collectives;
     check_mpi(MPI_Bcast(text.data() + begin, count, MPI_CHAR, root, comm_), "MPI_Bcast");
   });
 }
@@ -64,6 +66,7 @@ std::vector<std::vector<char>> Communicator::exchange(const std::vector<std::vec
   std::vector<std::int64_t> send_bytes(ranks);
   std::vector<std::int64_t> receive_bytes(ranks);
   for (std::size_t r = 0; r < ranks; ++r) send_bytes[r] = std::ssize(send[r]);
+  ++traffic_.collectives;
   check_mpi(MPI_Alltoall(send_bytes.data(), 1, MPI_INT64_T, receive_bytes.data(), 1, MPI_INT64_T, comm_),
             "MPI_Alltoall");
 
@@ -86,6 +89,7 @@ std::vector<std::vector<char>> Communicator::exchange(const std::vector<std::vec
   for (std::size_t r = 0; r < ranks; ++r) {
     if (static_cast<int>(r) == rank_) continue;
     for_each_piece(send[r].size(), piece, [&](std::size_t begin, int count) {
+      count_sent(1, count);
       check_mpi(
           MPI_Isend(send[r].data() + begin, count, MPI_CHAR, static_cast<int>(r), tag, comm_, &requests.emplace_back()),
           "MPI_Isend");

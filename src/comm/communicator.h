@@ -46,8 +46,15 @@ inline MPI_Datatype mpi_type<double>() {
 /// Throws std::runtime_error with MPI's own text when `code` is not MPI_SUCCESS.
 void check_mpi(int code, const char* call);
 
-/// A duplicate of an MPI communicator, or a part of another one, freed with the object. Every member but rank, size and
-/// handle is collective.
+/// What a rank has sent to others, and the collective calls it has taken part in.
+struct Traffic {
+  std::int64_t messages = 0;
+  std::int64_t bytes = 0;  ///< of the messages
+  std::int64_t collectives = 0;
+};
+
+/// A duplicate of an MPI communicator, or a part of another one, freed with the object. Every member but rank, size,
+/// handle and traffic is collective.
 class Communicator {
  public:
   explicit Communicator(MPI_Comm parent);
@@ -63,6 +70,13 @@ class Communicator {
   int size() const { return size_; }
   bool is_root() const { return rank_ == 0; }
   MPI_Comm handle() const { return comm_; }
+  /// Of this object so far: a count for the summary, on which nothing else depends.
+  const Traffic& traffic() const { return traffic_; }
+  /// Adds what was sent through the handle.
+  void count_sent(std::int64_t messages, std::int64_t bytes) const {
+    traffic_.messages += messages;
+    traffic_.bytes += bytes;
+  }
 
   template <class T>
   T sum(T value) const {
@@ -93,6 +107,7 @@ class Communicator {
   template <class T>
   std::vector<T> all_gather(T value) const {
     std::vector<T> all(static_cast<std::size_t>(size_));
+    ++traffic_.collectives;
     check_mpi(MPI_Allgather(&value, 1, mpi_type<T>(), all.data(), 1, mpi_type<T>(), comm_), "MPI_Allgather");
     return all;
   }
@@ -102,6 +117,7 @@ class Communicator {
 
   template <class T>
   void broadcast(T& value, int root = 0) const {
+    ++traffic_.collectives;
     check_mpi(MPI_Bcast(&value, 1, mpi_type<T>(), root, comm_), "MPI_Bcast");
   }
   /// Of any length; the other ranks need not know it.
@@ -115,7 +131,10 @@ class Communicator {
   std::vector<std::vector<char>> exchange(const std::vector<std::vector<char>>& send,
                                           std::size_t piece = longest_piece) const;
 
-  void barrier() const { check_mpi(MPI_Barrier(comm_), "MPI_Barrier"); }
+  void barrier() const {
+    ++traffic_.collectives;
+    check_mpi(MPI_Barrier(comm_), "MPI_Barrier");
+  }
 
  private:
   template <class T>
@@ -125,6 +144,7 @@ class Communicator {
   }
   template <class T>
   void reduce(std::span<T> values, MPI_Op op) const {
+    ++traffic_.collectives;
     check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), mpi_type<T>(), op, comm_),
               "MPI_Allreduce");
   }
@@ -132,6 +152,7 @@ class Communicator {
   MPI_Comm comm_ = MPI_COMM_NULL;
   int rank_ = 0;
   int size_ = 1;
+  mutable Traffic traffic_;
 };
 
 template <class T>

@@ -25,9 +25,9 @@ int Decomposition::owner(const Vec3& position) const {
   return node->first_rank;
 }
 
-Decomposition Decomposition::bisect(const Communicator& comm, std::span<const Vec3> positions,
+Decomposition Decomposition::bisect(const Communicator& comm, int parts, std::span<const Vec3> positions,
                                     std::span<const std::int64_t> cost) {
-  Decomposition tree(comm.size());
+  Decomposition tree(parts);
   std::vector<int> part_of(positions.size(), 0);
   for (std::vector<int> level = {0}; !level.empty();) {
     std::vector<int> divisible;

@@ -18,6 +18,11 @@ class Decomposition {
 
   /// Collective. Bisects the particles of all ranks, each with a cost (positive), along the longest side of each part.
   static Decomposition bisect(const Communicator& comm, std::span<const Vec3> positions,
+                              std::span<const std::int64_t> cost) {
+    return bisect(comm, comm.size(), positions, cost);
+  }
+  /// Collective. The same for any number of `parts`.
+  static Decomposition bisect(const Communicator& comm, int parts, std::span<const Vec3> positions,
                               std::span<const std::int64_t> cost);
 
   int owner(const Vec3& position) const;

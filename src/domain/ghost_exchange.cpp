@@ -146,8 +146,12 @@ void GhostExchange::open_requests() {
                             tag, comm_.handle(), &requests_.emplace_back(MPI_REQUEST_NULL)),
               "MPI_Recv_init");
   }
+  messages_ = 0;
+  bytes_ = 0;
   for (const Link& link : sends_) {
     if (!is_remote(link)) continue;
+    ++messages_;
+    bytes_ += static_cast<std::int64_t>(link.count * sizeof(Motion));
     check_mpi(MPI_Send_init(&send_buffer_[link.begin], doubles * static_cast<int>(link.count), MPI_DOUBLE, link.rank,
                             tag, comm_.handle(), &requests_.emplace_back(MPI_REQUEST_NULL)),
               "MPI_Send_init");
@@ -184,6 +188,7 @@ void GhostExchange::start(const Particles& particles) {
   copy_own_images();
   if (requests_.empty()) return;
   check_mpi(MPI_Startall(static_cast<int>(requests_.size()), requests_.data()), "MPI_Startall");
+  comm_.count_sent(messages_, bytes_);
 }
 
 void GhostExchange::finish(Particles& particles) {

@@ -65,6 +65,8 @@ class GhostExchange {
   std::vector<Motion> receive_buffer_;  ///< one per ghost, in the order of the ghosts
   bool is_open_ = false;                ///< the requests are those of the links
   std::vector<MPI_Request> requests_;
+  std::int64_t messages_ = 0;  ///< sent to other ranks at each step
+  std::int64_t bytes_ = 0;     ///< in them
 };
 
 }  // namespace repose

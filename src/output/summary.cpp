@@ -85,6 +85,23 @@ Json lists_json(const Summary& summary) {
           {"most_ghosts_of_a_rank", summary.most_ghosts_of_a_rank}};
 }
 
+Json spread_json(const RankSpread& spread) {
+  return {
+      {"min", json_number(spread.least)}, {"mean", json_number(spread.mean)}, {"max", json_number(spread.greatest)}};
+}
+
+Json parallel_json(const ParallelSummary& p) {
+  return {{"bisections", p.bisections},
+          {"imbalance", json_number(p.imbalance)},
+          {"loop_cpu_s", spread_json(p.loop_cpu_seconds)},
+          {"work_cpu_s", spread_json(p.work_cpu_seconds)},
+          {"pairs_per_step", spread_json(p.pairs_per_step)},
+          {"ghosts_per_step", spread_json(p.ghosts_per_step)},
+          {"messages_per_step", spread_json(p.messages_per_step)},
+          {"bytes_per_step", spread_json(p.bytes_per_step)},
+          {"collectives_per_step", json_number(p.collectives_per_step)}};
+}
+
 Json memory_json(const Summary& summary) {
   return {{"peak_bytes", summary.memory_peak_bytes},
           {"bytes_per_particle", json_number(summary.memory_bytes_per_particle)}};
@@ -154,6 +171,7 @@ std::string summary_json(const Summary& summary) {
       {"particle_steps_per_second", json_number(summary.particle_steps_per_second)},
       {"timing", timing_json(summary)},
       {"lists", lists_json(summary)},
+      {"parallel", parallel_json(summary.parallel)},
       {"memory", memory_json(summary)},
       {"build", json_of(summary.build)},
       {"deck", summary.deck},

@@ -63,6 +63,20 @@ TEST_F(DecompositionTest, BalancesTheCostNotTheNumber) {
   }
 }
 
+// A division into more parts than there are ranks, as for the imagined runs of benchmarks/scaling.
+TEST_F(DecompositionTest, AnyNumberOfParts) {
+  std::vector<Vec3> positions;
+  for (std::int64_t id = world.rank(); id < 4000; id += world.size()) positions.push_back(sample(id).record.position);
+  const std::vector<std::int64_t> cost(positions.size(), 1);
+  for (const int parts : {1, 3, 40}) {
+    const Decomposition tree = Decomposition::bisect(world, parts, positions, cost);
+    std::vector<std::int64_t> owned(static_cast<std::size_t>(parts), 0);
+    for (const Vec3& x : positions) ++owned[static_cast<std::size_t>(tree.owner(x))];
+    world.sum_elements(std::span(owned));
+    for (const std::int64_t count : owned) EXPECT_NEAR(static_cast<double>(count), 4000.0 / parts, 6.0) << parts;
+  }
+}
+
 TEST_F(DecompositionTest, DoesNotDependOnWhoHoldsTheParticles) {
   const std::vector<std::int64_t> equal(500, 1);
   const Decomposition in_turn = bisect_samples(world, 500, equal);

@@ -4,7 +4,7 @@ import json
 import os
 
 # What may differ between two runs of one deck: time and place.
-OF_THE_RUN = ("ranks", "restarts", "wall_seconds", "particle_steps_per_second", "timing", "lists", "memory")
+OF_THE_RUN = ("ranks", "restarts", "wall_seconds", "particle_steps_per_second", "timing", "lists", "parallel", "memory")
 
 
 def summary_of(output):

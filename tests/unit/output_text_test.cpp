@@ -163,6 +163,10 @@ TEST_F(TextOutputTest, SummaryHasEveryKeyAndNoNan) {
                           "scattering",
                           "wall_seconds",
                           "particle_steps_per_second",
+                          "timing",
+                          "lists",
+                          "parallel",
+                          "memory",
                           "build"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
@@ -177,6 +181,30 @@ TEST_F(TextOutputTest, SummaryHasEveryKeyAndNoNan) {
   for (const char* key : {"discharged_mass_kg", "angle_of_repose_deg", "particle_steps_per_second"}) {
     EXPECT_TRUE(json[key].is_null()) << key;
   }
+}
+
+TEST_F(TextOutputTest, ParallelFiguresOfASummary) {
+  Summary summary = sample_summary();
+  ParallelSummary& p = summary.parallel;
+  p.bisections = 3;
+  p.imbalance = 1.125;
+  p.loop_cpu_seconds = {1.0, 2.0, 3.0};
+  p.work_cpu_seconds = {0.5, 0.625, 0.75};
+  p.pairs_per_step = {10.0, 11.0, 12.0};
+  p.ghosts_per_step = {4.0, 5.0, 6.0};
+  p.messages_per_step = {1.0, 1.5, 2.0};
+  p.bytes_per_step = {72.0, 108.0, 144.0};
+  p.collectives_per_step = 1.25;
+  const auto json = nlohmann::json::parse(summary_json(summary))["parallel"];
+  EXPECT_EQ(json["bisections"], 3);
+  EXPECT_EQ(json["imbalance"], 1.125);
+  EXPECT_EQ(json["loop_cpu_s"]["max"], 3.0);
+  EXPECT_EQ(json["work_cpu_s"]["mean"], 0.625);
+  EXPECT_EQ(json["pairs_per_step"]["min"], 10.0);
+  EXPECT_EQ(json["ghosts_per_step"]["mean"], 5.0);
+  EXPECT_EQ(json["messages_per_step"]["max"], 2.0);
+  EXPECT_EQ(json["bytes_per_step"]["min"], 72.0);
+  EXPECT_EQ(json["collectives_per_step"], 1.25);
 }
 
 TEST_F(TextOutputTest, ScatteringOfASummary) {

@@ -1,0 +1,236 @@
+#!/usr/bin/python3
+"""Strong and weak scaling, load balance of a discharge, and what a cluster would make of them; see README.md."""
+
+import argparse
+import json
+import pathlib
+import statistics
+import subprocess
+
+import model
+import plots
+import states
+from runs import ROOT, command, print_table, run, save, summary_in
+
+CASES = ("bed", "weak", "discharge")
+
+
+def numbers(text):
+    return [int(word) for word in text.split(",")]
+
+
+def arguments():
+    formatter = argparse.ArgumentDefaultsHelpFormatter
+    parser = argparse.ArgumentParser(description=__doc__)
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument("--work", type=pathlib.Path, default=ROOT / "build/benchmarks/scaling", help="what is made")
+    common.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release", help="built with REPOSE_BENCHMARKS")
+    common.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks/results/scaling", help="JSON files")
+    scene = argparse.ArgumentParser(add_help=False)
+    scene.add_argument("--case", choices=CASES, default="bed", help="weak: a bed of --size grains for each rank")
+    scene.add_argument("--size", type=int, default=156000, help="grains of a bed; usual: 156000, 1000000, weak 50000")
+    scene.add_argument("--snapshot", type=pathlib.Path, help="discharge: where it starts")
+    scene.add_argument("--steps", type=int, default=500, help="that are measured")
+    commands = parser.add_subparsers(dest="command", required=True)
+    sub = commands.add_parser("run", parents=[common, scene], formatter_class=formatter, help="a list of rank counts")
+    sub.add_argument("--ranks", type=numbers, default="1,2,4,8", help="rank counts")
+    sub.add_argument("--rounds", type=int, default=1, help="the median of the times is taken")
+    sub = commands.add_parser("beside", parents=[common, scene], formatter_class=formatter,
+                              help="two ranks against one beside which another run works")
+    sub.add_argument("--rounds", type=int, default=5, help="of both, in alternation")
+    sub = commands.add_parser("partition", parents=[common], formatter_class=formatter, help="divide snapshots offline")
+    sub.add_argument("snapshots", type=pathlib.Path, nargs="+", help="in the order of time")
+    sub.add_argument("--parts", type=numbers, default="8,16,32,64,128,256,512", help="numbers of parts")
+    sub.add_argument("--name", default="partition", help="of the results")
+    sub = commands.add_parser("balance", parents=[common], formatter_class=formatter, help="a discharge on 8 ranks")
+    sub.add_argument("--deck", type=pathlib.Path, default=ROOT / "input/scatter_mini.toml", help="with phases")
+    sub.add_argument("--ranks", type=int, default=8, help="of the run")
+    sub.add_argument("--set", action="append", default=[], help="override of the deck")
+    sub.add_argument("--interval", type=float, default=2e-3, help="s between the snapshots that are divided")
+    sub.add_argument("--runs", default="one_rank,balanced,not_balanced", help="those whose snapshots are divided come first")
+    commands.add_parser("predict", parents=[common], formatter_class=formatter, help="efficiency on a cluster, a model")
+    sub = commands.add_parser("plot", parents=[common], formatter_class=formatter, help="pictures of all results")
+    return parser.parse_args()
+
+
+def state_of(args, ranks):
+    if args.case == "discharge":
+        if args.snapshot is None:
+            raise SystemExit("--case discharge needs a --snapshot")
+        return states.discharge(args.work, args.snapshot)
+    size = args.size * ranks if args.case == "weak" else args.size
+    return states.settled_bed(args.program, args.work, size, ranks if args.case == "weak" else 1)
+
+
+def label(args):
+    return f"discharge_{args.snapshot.stem}" if args.case == "discharge" else f"{args.case}_{args.size}"
+
+
+def run_ranks(args):
+    """Every rank count in turn, round after round; the same bits on all of them."""
+    kept = {ranks: [] for ranks in args.ranks}
+    for _ in range(args.rounds):
+        for ranks in args.ranks:
+            summary = run(args.program, state_of(args, ranks), args.steps, ranks, f"on_{ranks}")
+            kept[ranks].append(summary)
+            print(f"{ranks} ranks: {summary['timing']['loop_wall_s']:.2f} s", flush=True)
+    hashes = {summary["state_hash"] for runs in kept.values() for summary in runs}
+    if args.case != "weak" and len(hashes) != 1:
+        raise SystemExit(f"the states differ: {sorted(hashes)}")
+    table = table_of(kept, args.case)
+    print_table(table)
+    save(args.results / f"{label(args)}.json", case=args.case, steps=args.steps, table=table,
+         runs={str(ranks): runs for ranks, runs in kept.items()})
+
+
+def middle(runs, of):
+    return statistics.median(of(s) for s in runs)
+
+
+def wall(summary):
+    return summary["timing"]["loop_wall_s"]
+
+
+def table_of(kept, case):
+    """One row for each rank count. Efficiencies are those of the smallest one; that of the work leaves out waiting and
+    needs no core for each rank."""
+    least = min(kept)
+
+    def work(ranks):
+        return middle(kept[ranks], lambda s: s["parallel"]["work_cpu_s"]["max"])
+
+    rows = []
+    for ranks, runs in kept.items():
+        share = ranks / least if case != "weak" else 1.0
+        p, grains = runs[0]["parallel"], runs[0]["particles"]["inside"]
+        stages = runs[0]["timing"]["stages"]
+        rows.append({
+            "ranks": ranks,
+            "wall s": middle(runs, wall),
+            "efficiency": middle(kept[least], wall) / middle(runs, wall) / share,
+            "efficiency of the work": work(least) / work(ranks) / share,
+            "imbalance of pairs": p["imbalance"],
+            "of cpu time": middle(runs, lambda s: s["parallel"]["work_cpu_s"]["max"] / s["parallel"]["work_cpu_s"]["mean"]),
+            "ghosts per grain": p["ghosts_per_step"]["mean"] * ranks / grains,
+            "communication share": sum(stages[name]["mean_s"] for name in ("ghosts", "agreement")) / wall(runs[0]),
+            "messages": p["messages_per_step"]["max"],
+            "kB": p["bytes_per_step"]["max"] / 1e3,
+            "collectives": p["collectives_per_step"],
+        })
+    return rows
+
+
+def beside(args):
+    """Parallel efficiency of two ranks on two cores: half their speed over that of one rank, beside which another,
+    independent run keeps the second core and its share of the memory busy."""
+    state = state_of(args, 1)
+    long_words, _ = command(args.program, state, 1000 * args.steps, 1, "companion")
+    efficiency, kept = [], []
+    for turn in range(args.rounds):
+        two = run(args.program, state, args.steps, 2, "two")
+        companion = subprocess.Popen(long_words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        try:
+            one = run(args.program, state, args.steps, 1, "one")
+            if companion.poll() is not None:
+                raise SystemExit("the run beside the measured one ended before it")
+        finally:
+            companion.kill()
+            companion.wait()
+        if one["state_hash"] != two["state_hash"]:
+            raise SystemExit("the states differ")
+        efficiency.append(wall(one) / wall(two) / 2.0)
+        kept.append({"one": one, "two": two})
+        print(f"round {turn + 1}: {efficiency[-1]:.3f}", flush=True)
+    spread = {"min": min(efficiency), "median": statistics.median(efficiency), "max": max(efficiency)}
+    print("parallel efficiency of two ranks:", spread)
+    save(args.results / f"beside_{label(args)}.json", steps=args.steps, efficiency=spread, rounds=kept)
+
+
+def divide(args, snapshots, parts):
+    program = args.build / "benchmarks/scaling/repose_partition"
+    words = [program, ",".join(map(str, parts)), *snapshots]
+    return json.loads(subprocess.run(words, check=True, capture_output=True, text=True).stdout)
+
+
+def partition(args):
+    rows = divide(args, args.snapshots, args.parts)
+    print_table(means_of(rows, "new"))
+    save(args.results / f"{args.name}.json", rows=rows)
+
+
+def means_of(rows, planes):
+    """Over the snapshots, for each number of parts."""
+    table = []
+    for parts in sorted({row["parts"] for row in rows}):
+        of = [row for row in rows if row["parts"] == parts and row["planes"] == planes]
+
+        def mean(pick):
+            return statistics.mean(pick(row) for row in of)
+
+        table.append({"parts": parts, "grains per part": mean(lambda r: r["particles"]) / parts,
+                      "imbalance of cost": mean(lambda r: r["cost_imbalance"]),
+                      "of pairs": mean(lambda r: r["pair_imbalance"]),
+                      "pairs evaluated over pairs": mean(lambda r: r["pairs_evaluated_over_pairs"]),
+                      "ghosts per grain": mean(lambda r: r["ghosts_per_particle"]),
+                      "neighbours, mean": mean(lambda r: r["neighbours"]["mean"]),
+                      "most": max(r["neighbours"]["max"] for r in of),
+                      "kB per step, mean": mean(lambda r: r["bytes_per_step"]["mean"]) / 1e3,
+                      "greatest kB": max(r["bytes_per_step"]["max"] for r in of) / 1e3})
+    return table
+
+
+def balance(args):
+    """A whole discharge on some ranks, with and without new decompositions; and its snapshots, divided offline. Runs
+    that are complete are not run again."""
+    folder = args.work / f"balance_{args.deck.stem}"
+    folder.mkdir(parents=True, exist_ok=True)
+    ways = {"one_rank": (1, [f"output.snapshot_interval={args.interval}"]), "balanced": (args.ranks, []),
+            "not_balanced": (args.ranks, ["neighbours.max_imbalance=1e6"])}
+    kept = {}
+    for name in args.runs.split(","):
+        ranks, sets = ways[name]
+        output = folder / name
+        options = [word for text in [*args.set, *sets] for word in ("--set", text)]
+        if not (output / "summary.json").exists():
+            subprocess.run([*states.launcher(ranks), args.program, "run", args.deck, "--output", output, "--quiet",
+                            *options], check=True, stdout=subprocess.DEVNULL)
+        kept[name] = summary_in(output)
+    if len({summary["state_hash"] for summary in kept.values()}) != 1:
+        raise SystemExit("the states differ")
+    rows = divide(args, sorted((folder / "one_rank").glob("run_*.hdf")), [args.ranks])
+    table = balance_table(kept, rows)
+    print_table(table)
+    save(args.results / f"balance_{args.deck.stem}.json", ranks=args.ranks, sets=args.set, table=table, rows=rows, runs=kept)
+
+
+def balance_table(kept, rows):
+    table = []
+    for name, planes in (("balanced", "bound"), ("not_balanced", "first")):
+        of = [row for row in rows if row["planes"] == planes]
+        row = {"planes": "as they are renewed" if planes == "bound" else "those of the start",
+               "snapshots: mean of cost": statistics.mean(r["cost_imbalance"] for r in of),
+               "of pairs": statistics.mean(r["pair_imbalance"] for r in of),
+               "greatest of pairs": max(r["pair_imbalance"] for r in of)}
+        if name in kept:
+            p = kept[name]["parallel"]
+            row |= {"run: mean of pairs": p["imbalance"], "cpu time": p["work_cpu_s"]["max"] / p["work_cpu_s"]["mean"],
+                    "decompositions": p["bisections"]}
+        table.append(row)
+    return table
+
+
+def predict(args):
+    table = model.predict(args.results)
+    print_table(table)
+    save(args.results / "prediction.json", assumptions=model.ASSUMPTIONS, table=table)
+
+
+def main():
+    args = arguments()
+    args.work = args.work.resolve()
+    args.program = args.build.resolve() / "src/repose"
+    {"run": run_ranks, "beside": beside, "partition": partition, "balance": balance, "predict": predict,
+     "plot": plots.draw_all}[args.command](args)
+
+
+main()

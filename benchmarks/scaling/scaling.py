@@ -120,6 +120,18 @@ def table_of(kept, case):
     return rows
 
 
+def spread_of(values):
+    return {"min": min(values), "median": statistics.median(values), "max": max(values)}
+
+
+def at_equal_speed(one, two):
+    """Efficiency of two ranks if their cores were equally fast: the loop over the work (contacts and integration, in processor
+    time) of the one rank, and of that of the two which waits least; less the pairs that both evaluate."""
+    busiest = two["parallel"]
+    return (wall(one) / one["parallel"]["work_cpu_s"]["mean"]) / (wall(two) / busiest["work_cpu_s"]["max"]) * (
+        one["parallel"]["pairs_per_step"]["mean"] / (2.0 * busiest["pairs_per_step"]["max"]))
+
+
 def beside(args):
     """Parallel efficiency of two ranks on two cores: half their speed over that of one rank, beside which another,
     independent run keeps the second core and its share of the memory busy."""
@@ -141,9 +153,11 @@ def beside(args):
         efficiency.append(wall(one) / wall(two) / 2.0)
         kept.append({"one": one, "two": two})
         print(f"round {turn + 1}: {efficiency[-1]:.3f}", flush=True)
-    spread = {"min": min(efficiency), "median": statistics.median(efficiency), "max": max(efficiency)}
-    print("parallel efficiency of two ranks:", spread)
-    save(args.results / f"beside_{label(args)}.json", steps=args.steps, efficiency=spread, rounds=kept)
+    equal = spread_of([at_equal_speed(**turn) for turn in kept])
+    print("parallel efficiency of two ranks:", spread_of(efficiency))
+    print("if their cores were equally fast:", equal)
+    save(args.results / f"beside_{label(args)}.json", steps=args.steps, efficiency=spread_of(efficiency),
+         efficiency_at_equal_speed=equal, rounds=kept)
 
 
 def divide(args, snapshots, parts):
@@ -233,4 +247,5 @@ def main():
      "plot": plots.draw_all}[args.command](args)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -80,6 +80,6 @@ def efficiency(content):
         axis.plot([row["ranks"] for row in of], [row["if nothing is hidden"] for row in of], ":", color=line.get_color())
     axis.set(xscale="log", xlabel="ranks", ylabel="parallel efficiency", ylim=(0.0, 1.05),
              title="Model; dotted: no message is hidden")
-    axis.legend()
+    axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     axis.grid(alpha=0.3)
     return figure

@@ -41,7 +41,7 @@ CASES = {
             "phase.discharge.max_time=1 s", "pair.0.sliding_friction=0.7", "pair.0.rolling_friction=0.1"],
         "seeds": 8, "scale": "square_root",
         "parameters": [("restitution", "pair.0.restitution", 0.4, 0.85, 4),
-                       ("wall_restitution", "pair.1.restitution", 0.2, 0.6, 4)],
+                       ("wall_restitution", "pair.1.restitution", 0.2, 0.6, 3)],
         "figures": ["scattering.area_1.count", "scattering.area_3.count"],
         # A wall of 0.7 throws so few grains about the pile (44 in area 1 at 0.75) that they do not tell.
         "hidden": [(0.55, 0.45), (0.6, 0.35), (0.7, 0.5), (0.75, 0.4)],

@@ -31,7 +31,7 @@ def show_grains(folder, view):
     speed = simple.Calculator(Input=reader, Function="mag(velocity)", ResultArrayName="speed, m/s")
     simple.RenameSource("grains", speed)
     display = simple.Show(speed, view)
-    display.SetRepresentationType("Point Gaussian")  # spheres without triangles: those of a full vessel fill the memory
+    display.SetRepresentationType("Point Gaussian")  # spheres without triangles: a full vessel would have 50 million
     display.ShaderPreset = "Sphere"
     display.GaussianRadius = 1.0
     display.ScaleByArray = 1

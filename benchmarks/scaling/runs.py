@@ -2,13 +2,15 @@
 
 import json
 import pathlib
-import platform
 import subprocess
+import sys
 import time
 
 from states import PHASE, launcher
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "benchmarks"))
+from machine import machine  # noqa: E402
 
 
 def command(program, state, steps, ranks, name):
@@ -33,12 +35,6 @@ def summary_in(output):
     """Without the deck, which is in the folder beside it."""
     summary = json.loads((output / "summary.json").read_text())
     return {key: value for key, value in summary.items() if key != "deck"}
-
-
-def machine():
-    with open("/proc/cpuinfo") as file:
-        names = [line.split(":")[1].strip() for line in file if line.startswith("model name")]
-    return {"processor": names[0] if names else platform.processor(), "cores": len(names)}
 
 
 def commit():

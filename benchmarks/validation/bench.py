@@ -2,13 +2,15 @@
 
 import json
 import pathlib
-import platform
 import statistics
 import subprocess
+import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "benchmarks"))
+from machine import machine  # noqa: E402
 
 
 class Bench:
@@ -35,12 +37,6 @@ class Bench:
         self.work.mkdir(parents=True, exist_ok=True)
         with ThreadPoolExecutor(self.cores) as pool:
             return dict(zip(runs, pool.map(lambda name: self.run(name, *runs[name]), runs)))
-
-
-def machine():
-    with open("/proc/cpuinfo") as file:
-        names = [line.split(":")[1].strip() for line in file if line.startswith("model name")]
-    return {"processor": names[0] if names else platform.processor(), "cores": len(names)}
 
 
 def figures(summary):

@@ -8,12 +8,11 @@ import os
 import pathlib
 import subprocess
 import sys
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "tests" / "regression")]
 from laboratories import FRICTION  # noqa: E402
-from machine import machine  # noqa: E402
+from report import save  # noqa: E402
 
 BASE = ROOT / "input" / "discharge_quick.toml"
 
@@ -83,9 +82,7 @@ def main():
     for number, laboratory in enumerate(values):
         rows.append(compare(calibrations, number, laboratory))
         print(rows[-1], flush=True)
-    options.results.mkdir(parents=True, exist_ok=True)
-    report = {"date": time.strftime("%Y-%m-%d"), "machine": machine(), "rows": rows}
-    (options.results / "search.json").write_text(json.dumps(report, indent=1) + "\n")
+    save(options.results / "search.json", rows=rows)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
 """What is compared: curves that a run left behind, each a name and its times (s) and values."""
 
 import csv
-import re
 
 import h5py
 import numpy as np

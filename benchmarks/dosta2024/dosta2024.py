@@ -5,7 +5,7 @@ import argparse
 import json
 import os
 import pathlib
-import subprocess
+import sys
 import time
 
 import numpy as np
@@ -14,7 +14,8 @@ import codes
 import curves
 import inputs
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from report import ROOT, machine  # noqa: E402
 
 
 def arguments():
@@ -49,12 +50,6 @@ def run(args):
     facts = {"cpu_seconds": timing.cpu, "wall_seconds": timing.wall, "ranks": args.ranks}
     (output / "timing.json").write_text(json.dumps(facts))
     print(f"{args.case} with {args.code}: {timing.cpu:.0f} cpu-seconds, {timing.wall:.0f} s")
-
-
-def machine():
-    lines = subprocess.run(["lscpu"], capture_output=True, text=True, check=True).stdout.splitlines()
-    facts = dict(line.split(":", 1) for line in lines if ":" in line)
-    return {key: facts[key].strip() for key in ("Model name", "CPU(s)") if key in facts}
 
 
 def difference(ours, theirs):

@@ -6,11 +6,15 @@ import json
 import pathlib
 import statistics
 import subprocess
+import sys
 
 import model
 import plots
 import states
-from runs import ROOT, command, print_table, run, save, summary_in
+from runs import command, run, summary_in
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from report import ROOT, print_table, save  # noqa: E402
 
 CASES = ("bed", "weak", "discharge")
 

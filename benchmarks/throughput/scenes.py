@@ -6,7 +6,6 @@ import tomllib
 from dataclasses import asdict, dataclass
 
 import h5py
-import numpy as np
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 INPUTS = FOLDER / "inputs"

@@ -2,10 +2,8 @@
 """Particle-steps per cpu-second of repose, LIGGGHTS and LAMMPS on the same grains; see README.md."""
 
 import argparse
-import json
 import pathlib
-import subprocess
-import time
+import sys
 
 import beds
 import codes
@@ -13,7 +11,9 @@ import measure
 import peers
 from plans import Plan
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from report import ROOT, save  # noqa: E402
+
 CODES = ["repose", "liggghts-native", "liggghts-debian", "lammps"]
 
 
@@ -63,19 +63,10 @@ def label(args):
     return f"{args.case}_{scene}_" + ("beside" if args.beside else f"{args.ranks}")
 
 
-def machine():
-    lines = subprocess.run(["lscpu"], capture_output=True, text=True, check=True).stdout.splitlines()
-    facts = dict(line.split(":", 1) for line in lines if ":" in line)
-    return {key: facts[key].strip() for key in ("Model name", "CPU(s)", "L2 cache", "L3 cache") if key in facts}
-
-
-def save(args, versions, results, summary):
+def save_results(args, versions, results, summary):
     path = args.json or args.work / "results" / f"{label(args)}.json"
-    path.parent.mkdir(parents=True, exist_ok=True)
     settings = {key: str(value) for key, value in vars(args).items()}
-    path.write_text(json.dumps({"date": time.strftime("%Y-%m-%d %H:%M"), "machine": machine(), "versions": versions,
-                                "settings": settings, "summary": summary, "results": results}, indent=1))
-    print("results in", path)
+    save(path, versions=versions, settings=settings, summary=summary, results=results)
 
 
 def compare(args):
@@ -91,7 +82,7 @@ def compare(args):
             folder = args.work / "runs" / name
             results[name].append(measure.cost(code, scene, args.case, plan, args.ranks, folder))
             print(f"round {turn + 1} {name:16s}", short(results[name][-1]), flush=True)
-    save(args, versions, results, report(names, results))
+    save_results(args, versions, results, print_spread(names, results))
 
 
 def short(result):
@@ -100,7 +91,7 @@ def short(result):
     return f"{1e-6 * result['particle_steps_per_cpu_second']:8.3f} million particle-steps per cpu-second ({own})"
 
 
-def report(names, results):
+def print_spread(names, results):
     """Prints the spread of the speeds and of the ratios, and returns them."""
     key = "particle_steps_per_cpu_second"
     summary = {"speed": {name: measure.spread([r[key] for r in results[name]]) for name in names}, "ratio": {}}
@@ -130,7 +121,7 @@ def beside(args):
     print(f"\n{'speed of two ranks over':40s}{'min':>8s}{'median':>8s}{'max':>8s}")
     for name, values in list(summary.items())[1:]:
         print(f"{name:40s}" + "".join(f"{v:8.2f}" for v in values))
-    save(args, {"repose": peers.version("repose", code.executable)}, results, summary)
+    save_results(args, {"repose": peers.version("repose", code.executable)}, results, summary)
 
 
 def main():

@@ -5,12 +5,10 @@ import pathlib
 import statistics
 import subprocess
 import sys
-import time
 from concurrent.futures import ThreadPoolExecutor
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "benchmarks"))
-from machine import machine  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from report import ROOT, print_table, save  # noqa: E402
 
 
 class Bench:
@@ -56,17 +54,5 @@ def write(options, name, summaries, table):
     runs = {key: {"state_hash": s["state_hash"], "steps": s["steps"], "particles": s["particles"]["inserted"],
                   "wall_seconds": round(s["wall_seconds"], 1), "ranks": s["ranks"], **figures(s)}
             for key, s in summaries.items()}
-    build = next(iter(summaries.values()))["build"]
-    path = options.results / f"{name}.json"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps({"date": time.strftime("%Y-%m-%d"), "machine": machine(), "build": build,
-                                "table": table, "runs": runs}, indent=1) + "\n")
-    print(f"wrote {path}")
-
-
-def print_rows(rows):
-    columns = list(rows[0])
-    print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
-    for row in rows:
-        print("| " + " | ".join("none" if row[c] is None else f"{row[c]:.4g}" if isinstance(row[c], float) else str(row[c])
-                                for c in columns) + " |")
+    print_table(table, digits=4)
+    save(options.results / f"{name}.json", build=next(iter(summaries.values()))["build"], table=table, runs=runs)

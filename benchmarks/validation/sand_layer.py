@@ -5,7 +5,7 @@ import math
 import h5py
 import numpy as np
 
-from bench import Bench, figures, print_rows, write
+from bench import Bench, figures, write
 
 RADIUS, ORIFICE, DIAMETER = 11.0, 2.5, 0.765  # mm
 MASS = "6 g"
@@ -57,5 +57,4 @@ def study(options):
         rows.append({"half angle": angle, "sliding": sliding, "rolling": rolling,
                      "discharged, g": figures(summaries[name])["discharged_g"], "plugged": summaries[name]["plugged"],
                      "grains left": len(position), "of them at the wall": int(in_layer.sum())})
-    print_rows(rows)
     write(options, "sand_layer", summaries, rows)

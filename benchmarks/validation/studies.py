@@ -6,7 +6,7 @@ import math
 import pathlib
 
 import sand_layer
-from bench import ROOT, Bench, figures, mean_and_deviation, print_rows, write
+from bench import ROOT, Bench, figures, mean_and_deviation, write
 
 MATERIALS = ("material.0", "material.1")
 
@@ -25,7 +25,6 @@ def stiffness(options):
         for name in of_seeds[0]:
             row[name], row[name + " deviation"] = mean_and_deviation([f[name] for f in of_seeds])
         rows.append(row)
-    print_rows(rows)
     write(options, "stiffness", summaries, rows)
 
 
@@ -47,7 +46,6 @@ def funnel(options):
         ring = 2.0 * math.pi * ((radius**3 - 2.5**3) / 3.0 - 2.5 * (radius**2 - 2.5**2) / 2.0)  # mm3
         rows.append({"radius, mm": float(radius), "retained, g": retained, "rate, g/s": figures(summary)["rate_g_s"],
                      "slope at 2.115 g/cm3, degrees": math.degrees(math.atan(retained / 2.115e-3 / ring))})
-    print_rows(rows)
     write(options, "funnel", summaries, rows)
 
 

@@ -1,0 +1,50 @@
+"""How the benchmarks report: results as JSON, with the machine and the commit, and tables for documents."""
+
+import json
+import pathlib
+import platform
+import subprocess
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+
+
+def machine():
+    with open("/proc/cpuinfo") as file:
+        lines = [[part.strip() for part in line.split(":", 1)] for line in file if ":" in line]
+    names = [value for key, value in lines if key == "model name"]
+    caches = [value for key, value in lines if key == "cache size"]
+    return {"processor": names[0] if names else platform.processor(), "cores": len(names), "cache": caches[0] if caches else "unknown"}
+
+
+def commit():
+    done = subprocess.run(["git", "-C", ROOT, "rev-parse", "HEAD"], capture_output=True, text=True)
+    return done.stdout.strip() or "unknown"
+
+
+def save(path, **content):
+    """Keys one below the other; the values of `rows` one to a line."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    head = {"date": time.strftime("%Y-%m-%d"), "machine": machine(), "commit": commit()}
+    rows = content.pop("rows", [])
+    text = json.dumps({**head, **content}, indent=1)
+    if rows:
+        text = text[:-2] + ',\n "rows": [\n  ' + ",\n  ".join(json.dumps(row) for row in rows) + "\n ]\n}"
+    path.write_text(text + "\n")
+    print(f"wrote {path}")
+
+
+def print_table(rows, digits=3):
+    """A table for a document."""
+    columns = list(rows[0])
+    print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
+    for row in rows:
+        print("| " + " | ".join(shown(row.get(c), digits) for c in columns) + " |")
+
+
+def shown(value, digits):
+    if value is None:
+        return ""
+    if isinstance(value, float):
+        return f"{value:.{digits}g}" if abs(value) < 10**digits else f"{value:.0f}"
+    return str(value)

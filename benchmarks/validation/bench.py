@@ -43,10 +43,15 @@ def figures(summary):
             "time_s": summary["discharge_time_s"], "rate_g_s": 1e3 * summary["discharge_rate_kg_s"]}
 
 
-def mean_and_deviation(values):
-    if any(v is None for v in values):
-        return None, None
-    return statistics.mean(values), statistics.stdev(values) if len(values) > 1 else None
+def means_of(summaries):
+    """Of each figure the mean over runs with several seeds, and their standard deviation."""
+    row = {}
+    for name in figures(summaries[0]):
+        values = [figures(s)[name] for s in summaries]
+        complete = None not in values
+        row[name] = statistics.mean(values) if complete else None
+        row[name + " deviation"] = statistics.stdev(values) if complete and len(values) > 1 else None
+    return row
 
 
 def write(options, name, summaries, table):

@@ -6,7 +6,7 @@ import math
 import pathlib
 
 import sand_layer
-from bench import ROOT, Bench, figures, mean_and_deviation, write
+from bench import ROOT, Bench, figures, means_of, write
 
 MATERIALS = ("material.0", "material.1")
 
@@ -20,11 +20,8 @@ def stiffness(options):
     summaries = Bench(options).run_all(runs)
     rows = []
     for modulus, count in seeds.items():
-        of_seeds = [figures(summaries[f"stiffness_{modulus:.0e}_{seed}"]) for seed in range(1, count + 1)]
-        row = {"E, Pa": f"{modulus:.0e}", "seeds": count}
-        for name in of_seeds[0]:
-            row[name], row[name + " deviation"] = mean_and_deviation([f[name] for f in of_seeds])
-        rows.append(row)
+        of_seeds = [summaries[f"stiffness_{modulus:.0e}_{seed}"] for seed in range(1, count + 1)]
+        rows.append({"E, Pa": f"{modulus:.0e}", "seeds": count, **means_of(of_seeds)})
     write(options, "stiffness", summaries, rows)
 
 
@@ -49,7 +46,22 @@ def funnel(options):
     write(options, "funnel", summaries, rows)
 
 
-STUDIES = {"stiffness": stiffness, "funnel": funnel, "sand_layer": sand_layer.study}
+def sizes(options):
+    """1.5 g of CarboHSP of one size and of its distribution, each with its calibrated friction, from a cylinder of 6 mm."""
+    small = ["particles.0.mass=1.5 g", "particles.0.radius=6 mm", "particles.0.height=49 mm", "domain.max=[0.07, 0.07, 0.051]",
+             "wall.vessel.points=[[0.006, 0.051], [0.006, 0.0], [0.0025, 0.0]]"]
+    decks = {"one size": ("carbohsp_mono.toml", [*small, "particles.0.spacing=770 um"]), "distribution": ("carbohsp_multi.toml", small)}
+    runs = {f"sizes_{name.replace(' ', '_')}_{seed}": (deck, [*sets, f"run.seed={seed}"])
+            for name, (deck, sets) in decks.items() for seed in range(1, options.seeds + 1)}
+    summaries = Bench(options).run_all(runs)
+    rows = []
+    for name in decks:
+        of_seeds = [summaries[f"sizes_{name.replace(' ', '_')}_{seed}"] for seed in range(1, options.seeds + 1)]
+        rows.append({"sizes": name, "seeds": options.seeds, **means_of(of_seeds)})
+    write(options, "sizes", summaries, rows)
+
+
+STUDIES = {"stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study}
 
 
 def main():

@@ -132,6 +132,7 @@ class Simulation {
   void renew_lists(ListState state);
   void select_near();
   void evaluate_forces(double dt);
+  bool evaluate_group(PairGroup& group, double dt);
 
   const Communicator& comm_;
   Deck deck_;

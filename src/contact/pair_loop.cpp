@@ -10,12 +10,12 @@ namespace {
 /// for some twenty lines at once, and stands still when asked for more.
 class Prefetch {
  public:
-  [[gnu::always_inline]] Prefetch(std::span<const ContactBlock> blocks, const FetchList& fetch, std::size_t later,
+  [[gnu::always_inline]] Prefetch(std::span<const ContactBlock> blocks, const FetchView& fetch, std::size_t later,
                                   const ParticleRecord* records, const ForceSum* sums)
       : records_(records), sums_(sums) {
     if (later >= blocks.size()) return;
     line_ = reinterpret_cast<const char*>(&blocks[later]);
-    if (!fetch.end.empty()) particles_ = fetch.of_block(later);
+    if (!fetch.begin.empty()) particles_ = fetch.of_block(later);
   }
   [[gnu::always_inline]] void part(std::size_t k) const {
     if (line_ == nullptr) return;
@@ -113,7 +113,7 @@ template <class Law>
 }
 
 template <class Law>
-[[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<ContactBlock> blocks, const FetchList& fetch,
+[[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<ContactBlock> blocks, const FetchView& fetch,
                                                           const PairParameters& pair, double dt, double max_overlap,
                                                           const ParticleRecord* records, ForceSum* sums) {
   LanePairs pairs;
@@ -133,7 +133,7 @@ template <class Law>
 
 }  // namespace
 
-ContactAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const FetchList& fetch,
+ContactAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const FetchView& fetch,
                              const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
                              ForceSum* sums) {
   return with_law(pair, [&](auto law) {

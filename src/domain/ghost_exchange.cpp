@@ -191,6 +191,13 @@ void GhostExchange::start(const Particles& particles) {
   comm_.count_sent(messages_, bytes_);
 }
 
+bool GhostExchange::advance() {
+  int done = 0;
+  check_mpi(MPI_Testall(static_cast<int>(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE),
+            "MPI_Testall");
+  return done != 0;
+}
+
 void GhostExchange::finish(Particles& particles) {
   if (!requests_.empty()) {
     check_mpi(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");

@@ -40,6 +40,9 @@ class GhostExchange {
 
   /// Sends the motion of the owned particles that are ghosts elsewhere, and starts to receive.
   void start(const Particles& particles);
+  /// Gives MPI the processor for a moment: large messages, also those that this rank sends, advance only while it is in
+  /// one of MPI's calls. Whether `finish` has nothing to wait for any more.
+  bool advance();
   /// Waits for the motion of this rank's ghosts and stores it.
   void finish(Particles& particles);
 

@@ -25,11 +25,20 @@ struct alignas(64) ContactBlock {
 /// their records and sums, if they were not asked for ahead.
 struct FetchList {
   std::vector<std::int32_t> particles;  ///< block by block
-  std::vector<std::uint32_t> end;       ///< of each block's part of them
+  std::vector<std::uint32_t> begin;     ///< of each block's part of them, and the end of the last
+};
+
+/// The part of a fetch list that belongs to some blocks in a row; empty: nothing is fetched ahead.
+struct FetchView {
+  const std::int32_t* particles = nullptr;
+  std::span<const std::uint32_t> begin;
+
+  FetchView() = default;
+  FetchView(const FetchList& list, std::size_t first_block, std::size_t blocks)
+      : particles(list.particles.data()), begin(std::span(list.begin).subspan(first_block, blocks + 1)) {}
 
   std::span<const std::int32_t> of_block(std::size_t block) const {
-    const std::uint32_t begin = block == 0 ? 0 : end[block - 1];
-    return {particles.data() + begin, end[block] - begin};
+    return {particles + begin[block], begin[block + 1] - begin[block]};
   }
 };
 

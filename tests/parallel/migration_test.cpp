@@ -1,6 +1,7 @@
 // Particles that change their rank, with their memories, and the ghosts around each rank.
 #include "domain/migration.h"
 
+#include <chrono>
 #include <map>
 #include <set>
 
@@ -213,6 +214,21 @@ TEST_F(Ghosts, MotionArrivesEveryTime) {
       EXPECT_EQ(p.record[i].force_scale, sample(p.id[i]).record.force_scale);
     }
   }
+}
+
+// Thousands of ghosts: more than what a rank can send without the other's help.
+TEST_F(Ghosts, MotionArrivesWithoutWaiting) {
+  Shell shell(world, 20000);
+  Particles& p = shell.particles;
+  for (std::size_t i = 0; i < p.owned; ++i) p.record[i].spin = {1.0, static_cast<double>(p.id[i]), 0.5};
+  shell.ghosts.start(p);
+  const auto begin = std::chrono::steady_clock::now();
+  bool arrived = false;
+  while (!arrived && std::chrono::steady_clock::now() - begin < std::chrono::seconds(60))
+    arrived = shell.ghosts.advance();
+  EXPECT_TRUE(arrived);
+  shell.ghosts.finish(p);
+  for (std::size_t i = 0; i < p.total(); ++i) EXPECT_EQ(p.record[i].spin.y, static_cast<double>(p.id[i]));
 }
 
 TEST_F(Ghosts, OnlyThoseThatAreKeptTravel) {

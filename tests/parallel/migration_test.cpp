@@ -216,9 +216,9 @@ TEST_F(Ghosts, MotionArrivesEveryTime) {
   }
 }
 
-// Thousands of ghosts: more than what a rank can send without the other's help.
+// A thousand ghosts: more than what a rank can send without the other's help.
 TEST_F(Ghosts, MotionArrivesWithoutWaiting) {
-  Shell shell(world, 20000);
+  Shell shell(world, 6000);
   Particles& p = shell.particles;
   for (std::size_t i = 0; i < p.owned; ++i) p.record[i].spin = {1.0, static_cast<double>(p.id[i]), 0.5};
   shell.ghosts.start(p);

@@ -82,7 +82,7 @@ def main():
     for number, laboratory in enumerate(values):
         rows.append(compare(calibrations, number, laboratory))
         print(rows[-1], flush=True)
-    save(options.results / "search.json", rows=rows)
+        save(options.results / "search.json", rows=rows)
 
 
 if __name__ == "__main__":

@@ -22,21 +22,14 @@ class Calibrations:
         self.options, self.work = options, options.work
         self.work.mkdir(parents=True, exist_ok=True)
 
-    def say(self, *words):
-        done = subprocess.run(words, capture_output=True, text=True)
+    def calibrate(self, name, text):
+        """Does what is missing of the runs of a deck and estimates; returns their directory."""
+        deck, output = self.work / f"{name}.toml", self.work / name
+        deck.write_text(text)
+        done = subprocess.run(["mpirun", "-n", str(self.options.ranks), self.options.program, "calibrate", str(deck),
+                               "--output", str(output), "--quiet"], capture_output=True, text=True)
         if done.returncode != 0:
             raise SystemExit(done.stderr.strip())
-
-    def deck(self, name, text):
-        path = self.work / f"{name}.toml"
-        path.write_text(text)
-        return path
-
-    def calibrate(self, name, text):
-        """Does what is missing of the runs of a deck; returns their directory."""
-        output = self.work / name
-        self.say("mpirun", "-n", str(self.options.ranks), self.options.program, "calibrate", str(self.deck(name, text)),
-                 "--output", str(output), "--quiet")
         return output
 
     def estimate(self, output):
@@ -44,10 +37,7 @@ class Calibrations:
 
     def grid(self, laboratory):
         """What the whole grid's runs give with this laboratory."""
-        text = FRICTION.grid(BASE, laboratory)
-        output = self.calibrate("grid", text)
-        self.say(self.options.program, "estimate", str(output), "--deck", str(self.deck("laboratory", text)))
-        return self.estimate(output)
+        return self.estimate(self.calibrate("grid", FRICTION.grid(BASE, laboratory)))
 
     def search(self, number, laboratory, half_width):
         """The estimate of a search that stops at this half-width, and its runs."""

@@ -73,7 +73,7 @@ void contact_kernel(benchmark::State& state, VectorLevel level) {
   const PairParameters& pair = bed->simulation.materials().pair(0, 0);
   for (auto _ : state) {
     for (PairGroup& group : pairs.groups()) {
-      const ContactAlarms alarms = evaluate_pairs(level, group.blocks, {group.fetch, 0, group.blocks.size()}, pair, 0.0, 0.3,
+      const ContactAlarms alarms = evaluate_pairs(level, group.blocks, {&group.fetch}, pair, 0.0, 0.3,
                                                   particles.record.data(), particles.sum.data());
       benchmark::DoNotOptimize(alarms.any());
     }

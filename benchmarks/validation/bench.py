@@ -43,14 +43,20 @@ def figures(summary):
             "time_s": summary["discharge_time_s"], "rate_g_s": 1e3 * summary["discharge_rate_kg_s"]}
 
 
-def means_of(summaries):
-    """Of each figure the mean over runs with several seeds, and their standard deviation."""
-    row = {}
-    for name in figures(summaries[0]):
-        values = [figures(s)[name] for s in summaries]
+def with_seeds(name, deck, sets, count):
+    """{name: (deck, sets)} of a run with several seeds."""
+    return {f"{name}_{seed}": (deck, [*sets, f"run.seed={seed}"]) for seed in range(1, count + 1)}
+
+
+def means_of(summaries, name, count):
+    """Of each figure the mean over the runs of `with_seeds`, and their standard deviation."""
+    of_seeds = [figures(summaries[f"{name}_{seed}"]) for seed in range(1, count + 1)]
+    row = {"seeds": count}
+    for figure in of_seeds[0]:
+        values = [f[figure] for f in of_seeds]
         complete = None not in values
-        row[name] = statistics.mean(values) if complete else None
-        row[name + " deviation"] = statistics.stdev(values) if complete and len(values) > 1 else None
+        row[figure] = statistics.mean(values) if complete else None
+        row[figure + " deviation"] = statistics.stdev(values) if complete and len(values) > 1 else None
     return row
 
 

@@ -6,7 +6,7 @@ import math
 import pathlib
 
 import sand_layer
-from bench import ROOT, Bench, figures, means_of, write
+from bench import ROOT, Bench, figures, means_of, with_seeds, write
 
 MATERIALS = ("material.0", "material.1")
 
@@ -14,14 +14,13 @@ MATERIALS = ("material.0", "material.1")
 def stiffness(options):
     """The small scattering test with Young's moduli of 5e6, 5e7 and 5e8 Pa."""
     seeds = {5e6: options.seeds, 5e7: max(2, options.seeds - 2), 5e8: 2}
-    runs = {f"stiffness_{modulus:.0e}_{seed}": ("scatter_mini.toml",
-                                                [f"run.seed={seed}"] + [f"{m}.youngs_modulus={modulus}" for m in MATERIALS])
-            for modulus, count in seeds.items() for seed in range(1, count + 1)}
+    runs = {}
+    for modulus, count in seeds.items():
+        runs |= with_seeds(f"stiffness_{modulus:.0e}", "scatter_mini.toml", [f"{m}.youngs_modulus={modulus}" for m in MATERIALS], count)
     summaries = Bench(options).run_all(runs)
     rows = []
     for modulus, count in seeds.items():
-        of_seeds = [summaries[f"stiffness_{modulus:.0e}_{seed}"] for seed in range(1, count + 1)]
-        rows.append({"E, Pa": f"{modulus:.0e}", "seeds": count, **means_of(of_seeds)})
+        rows.append({"E, Pa": f"{modulus:.0e}", **means_of(summaries, f"stiffness_{modulus:.0e}", count)})
     write(options, "stiffness", summaries, rows)
 
 
@@ -50,14 +49,12 @@ def sizes(options):
     """1.5 g of CarboHSP of one size and of its distribution, each with its calibrated friction, from a cylinder of 6 mm."""
     small = ["particles.0.mass=1.5 g", "particles.0.radius=6 mm", "particles.0.height=49 mm", "domain.max=[0.07, 0.07, 0.051]",
              "wall.vessel.points=[[0.006, 0.051], [0.006, 0.0], [0.0025, 0.0]]"]
-    decks = {"one size": ("carbohsp_mono.toml", [*small, "particles.0.spacing=770 um"]), "distribution": ("carbohsp_multi.toml", small)}
-    runs = {f"sizes_{name.replace(' ', '_')}_{seed}": (deck, [*sets, f"run.seed={seed}"])
-            for name, (deck, sets) in decks.items() for seed in range(1, options.seeds + 1)}
+    decks = {"mono": ("carbohsp_mono.toml", [*small, "particles.0.spacing=770 um"]), "multi": ("carbohsp_multi.toml", small)}
+    runs = {}
+    for name, (deck, sets) in decks.items():
+        runs |= with_seeds(f"sizes_{name}", deck, sets, options.seeds)
     summaries = Bench(options).run_all(runs)
-    rows = []
-    for name in decks:
-        of_seeds = [summaries[f"sizes_{name.replace(' ', '_')}_{seed}"] for seed in range(1, options.seeds + 1)]
-        rows.append({"sizes": name, "seeds": options.seeds, **means_of(of_seeds)})
+    rows = [{"sizes": name, **means_of(summaries, f"sizes_{name}", options.seeds)} for name in decks]
     write(options, "sizes", summaries, rows)
 
 

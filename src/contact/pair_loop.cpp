@@ -15,7 +15,7 @@ class Prefetch {
       : records_(records), sums_(sums) {
     if (later >= blocks.size()) return;
     line_ = reinterpret_cast<const char*>(&blocks[later]);
-    if (!fetch.begin.empty()) particles_ = fetch.of_block(later);
+    particles_ = fetch.of_block(later);
   }
   [[gnu::always_inline]] void part(std::size_t k) const {
     if (line_ == nullptr) return;

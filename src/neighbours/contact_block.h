@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "base/csr.h"
 #include "scene/contact_memory.h"
 
 namespace repose {
@@ -23,22 +23,16 @@ struct alignas(64) ContactBlock {
 
 /// For each block of a run the particles that no block shortly before it uses: the pair loop would have to wait for
 /// their records and sums, if they were not asked for ahead.
-struct FetchList {
-  std::vector<std::int32_t> particles;  ///< block by block
-  std::vector<std::uint32_t> begin;     ///< of each block's part of them, and the end of the last
-};
+using FetchList = Csr<std::int32_t>;
 
-/// The part of a fetch list that belongs to some blocks in a row; empty: nothing is fetched ahead.
+/// The part of a fetch list that begins with some block; without a list nothing is fetched ahead.
 struct FetchView {
-  const std::int32_t* particles = nullptr;
-  std::span<const std::uint32_t> begin;
-
-  FetchView() = default;
-  FetchView(const FetchList& list, std::size_t first_block, std::size_t blocks)
-      : particles(list.particles.data()), begin(std::span(list.begin).subspan(first_block, blocks + 1)) {}
+  const FetchList* list = nullptr;
+  std::size_t first_block = 0;
 
   std::span<const std::int32_t> of_block(std::size_t block) const {
-    return {particles + begin[block], begin[block + 1] - begin[block]};
+    if (list == nullptr) return {};
+    return list->row(first_block + block);
   }
 };
 

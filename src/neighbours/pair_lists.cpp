@@ -96,17 +96,17 @@ void PairLists::select_near(const Particles& particles, const SkinRule& rule) {
 void PairLists::list_fetches(const Particles& particles, PairGroup& group) {
   constexpr std::uint32_t memory = 128;  // blocks whose particles are still in the second-level cache
   used_.assign(particles.total() + 2, 0);
-  group.fetch.particles.clear();
-  group.fetch.begin.assign(1, 0);
+  group.fetch.items.clear();
+  group.fetch.offset.assign(1, 0);
   for (std::uint32_t b = 0; b < group.blocks.size(); ++b) {
     for (const auto* side : {group.blocks[b].first, group.blocks[b].second}) {
       for (int k = 0; k < block_lanes; ++k) {
         std::uint32_t& used = used_[index(side[k])];
-        if (used == 0 || b + 1 > used + memory) group.fetch.particles.push_back(side[k]);
+        if (used == 0 || b + 1 > used + memory) group.fetch.items.push_back(side[k]);
         used = b + 1;
       }
     }
-    group.fetch.begin.push_back(static_cast<std::uint32_t>(group.fetch.particles.size()));
+    group.fetch.offset.push_back(group.fetch.items.size());
   }
 }
 
@@ -160,7 +160,7 @@ std::size_t PairLists::listed() const {
 std::size_t PairLists::bytes() const {
   std::size_t count = 0;
   for (const PairGroup& g : groups_)
-    count += bytes_of(g.pairs) + bytes_of(g.blocks) + bytes_of(g.fetch.particles) + bytes_of(g.fetch.begin);
+    count += bytes_of(g.pairs) + bytes_of(g.blocks) + bytes_of(g.fetch.items) + bytes_of(g.fetch.offset);
   return count + bytes_of(used_) + bytes_of(reach_) + bytes_of(near_) + bytes_of(blocks_);
 }
 

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import os
 import statistics
 from dataclasses import dataclass
@@ -27,10 +28,7 @@ class Study:
     hidden: list
 
     def points(self):
-        count = 1
-        for *_, points in self.parameters:
-            count *= points
-        return count
+        return math.prod(points for *_, points in self.parameters)
 
     def grid(self, base, laboratory):
         """The deck of a calibration over the whole grid; laboratory: mean and deviation of each figure."""

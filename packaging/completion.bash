@@ -32,13 +32,14 @@ _repose() {
     --deck) _repose_files toml && return ;;
     --vector-level) _repose_words auto sse2 avx2 avx512 && return ;;
     --format) _repose_words vtp csv && return ;;
-    --set | --time-limit) return ;;
+    --set | --case | --time-limit) return ;;
   esac
 
   case $command in
     '') options='--help --version' ;;
     run) options="$study --restart" ;;
-    validate | calibrate | sensitivity) options=$study ;;
+    validate) options="$study --case" ;;
+    calibrate | sensitivity) options=$study ;;
     check) options='--help --set' ;;
     info | keys | thermal) options='--help' ;;
     export) options='--help --format --output' ;;

@@ -100,6 +100,14 @@ CLI::App* add_study(CLI::App& app, CommandLine& line, const std::string& name, c
   return study;
 }
 
+CLI::App* add_validate(CLI::App& app, CommandLine& line) {
+  CLI::App* validate =
+      add_study(app, line, "validate", "run cases and compare their figures with those of a laboratory",
+                "cases and values to compare with (TOML)");
+  validate->add_option("--case", line.cases, "only this case; repeatable")->type_name("NAME")->allow_extra_args(false);
+  return validate;
+}
+
 CLI::App* add_estimate(CLI::App& app, CommandLine& line) {
   CLI::App* estimate = app.add_subcommand("estimate", "estimate again from the runs of a calibration");
   estimate->add_option("DIR", line.file, "directory of the calibration")->required();
@@ -153,9 +161,7 @@ CommandLine parse_command_line(int argc, char** argv) {
   const CLI::App* measure = add_measure(app, line);
   const CLI::App* info = add_info(app, line);
   const CLI::App* exported = add_export(app, line);
-  const CLI::App* validate =
-      add_study(app, line, "validate", "run cases and compare their figures with those of a laboratory",
-                "cases and values to compare with (TOML)");
+  const CLI::App* validate = add_validate(app, line);
   const CLI::App* calibrate = add_study(
       app, line, "calibrate", "run a deck over a grid of parameters and find those that give the laboratory's figures",
       "parameters, points and laboratory values (TOML)");

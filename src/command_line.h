@@ -32,6 +32,7 @@ struct CommandLine {
   std::string tool;                ///< thermal: which of its tools, or compare
   std::vector<std::string> files;  ///< thermal: paths of data, for the tools that take some
   std::string output;  ///< directory of the results; measure, thermal: may be empty; export: path of the file
+  std::vector<std::string> cases;      ///< validate: names of the only ones to run
   std::vector<std::string> overrides;  ///< "key=value" of each --set, in order
   std::string vector_level = "auto";   ///< auto, sse2, avx2, avx512
   bool quiet = false;                  ///< no progress lines

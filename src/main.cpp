@@ -73,7 +73,7 @@ void measure(const Communicator& comm, const CommandLine& command) {
 }
 
 void validate(const Communicator& comm, const CommandLine& command, const StopAsked& stop_asked) {
-  say(comm, validate_file(comm, request_of(command), stop_asked));
+  say(comm, validate_file(comm, request_of(command), command.cases, stop_asked));
 }
 
 void thermal(const Communicator& comm, const CommandLine& command) {

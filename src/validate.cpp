@@ -1,6 +1,9 @@
 #include "validate.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -107,10 +110,27 @@ Json run_case(const Communicator& comm, const ValidationCaseDeck& one, const Run
   return result;
 }
 
+/// Leaves the cases with these names, if any are given.
+void choose_cases(const std::vector<std::string>& only, const std::string& path, ValidationDeck& deck) {
+  if (only.empty()) return;
+  const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::vector<std::string> names;
+  for (const ValidationCaseDeck& one : deck.cases) names.push_back(one.name);
+  for (const std::string& name : only) {
+    if (is_in(names, name)) continue;
+    throw DeckError(fmt::format("--case {}: {} has no such case, but {}", name, path, fmt::join(names, ", ")));
+  }
+  std::erase_if(deck.cases, [&](const ValidationCaseDeck& one) { return !is_in(only, one.name); });
+}
+
 }  // namespace
 
-std::string validate_file(const Communicator& comm, const RunRequest& request, const StopAsked& stop_asked) {
-  const ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
+std::string validate_file(const Communicator& comm, const RunRequest& request, const std::vector<std::string>& only,
+                          const StopAsked& stop_asked) {
+  ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
+  choose_cases(only, request.deck, deck);
   agree_after_root(comm, [&] { create_output_directory(request.output); });
   Json cases = Json::array();
   for (const ValidationCaseDeck& one : deck.cases) cases.push_back(run_case(comm, one, request, stop_asked));

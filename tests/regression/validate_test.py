@@ -76,6 +76,13 @@ class Validate(FolderTest):
         self.assertEqual((again.returncode, again.stdout), (0, done.stdout))
         self.assertEqual(os.stat(os.path.join(self.output, "one", "summary.json")).st_mtime_ns, written)
 
+    def test_one_case_of_several(self):
+        path = self.write({"name": "one"}, {"name": "two"}, {"name": "three"})
+        done = self.validate(path, "--case", "three", "--case", "one")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([line.split("|")[1].strip() for line in done.stdout.splitlines()[2::2]], ["one", "three"])
+        self.assertFalse(os.path.exists(os.path.join(self.output, "two")))
+
     def test_an_interrupted_case_goes_on(self):
         longer = [*REDUCED, "phase.discharge.max_time=2", "phase.discharge.min_time=2"]  # some seconds of wall time
         path = self.write({"name": "one", "set": longer})
@@ -103,6 +110,9 @@ class Validate(FolderTest):
             done = self.validate(self.write(case))
             self.assertEqual(done.returncode, code, done.stderr)
             self.assertIn(message, done.stderr)
+        done = self.validate(self.write({"name": "one"}, {"name": "two"}), "--case", "three")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertRegex(done.stderr, r"--case three: .*validation\.toml has no such case, but one, two$")
         done = self.validate(self.write({"name": "one"}, {"name": "one"}))
         self.assertIn('"one" is the name of another case, too', done.stderr)
 

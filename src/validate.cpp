@@ -24,6 +24,7 @@ using Json = nlohmann::ordered_json;
 struct Display {
   std::string name;  ///< "discharged mass, g"
   double factor;
+  bool is_count;
 };
 
 Display display_of(const std::string& figure) {
@@ -36,15 +37,17 @@ Display display_of(const std::string& figure) {
   std::string name = figure;
   std::string shown;
   double factor = 1.0;
+  bool is_count = true;
   for (const Unit& unit : units) {
     if (!name.ends_with(unit.ending)) continue;
     name.erase(name.rfind('_'));
     shown = unit.shown;
     factor = unit.factor;
+    is_count = false;
     break;
   }
   for (char& c : name) c = c == '_' || c == '.' ? ' ' : c;
-  return {name + shown, factor};
+  return {name + shown, factor, is_count};
 }
 
 Json comparison_json(const ComparisonDeck& c, const Json& summary) {
@@ -56,10 +59,13 @@ Json comparison_json(const ComparisonDeck& c, const Json& summary) {
           {"published", json_number(c.published)}};
 }
 
-std::string cell(const Json& value, const Json& error, double factor) {
+std::string cell(const Json& value, const Json& error, const Display& display) {
   if (value.is_null()) return "none";
-  const std::string text = fmt::format("{:.4g}", factor * value.get<double>());
-  return error.is_null() ? text : fmt::format("{} +- {:.2g}", text, factor * error.get<double>());
+  const auto shown = [&](const Json& v, int digits) {
+    const double scaled = display.factor * v.get<double>();
+    return display.is_count ? fmt::format("{:.{}g}", scaled, digits) : fmt::format("{:#.{}g}", scaled, digits);
+  };
+  return error.is_null() ? shown(value, 4) : fmt::format("{} +- {}", shown(value, 4), shown(error, 2));
 }
 
 std::string difference(const Json& value, const Json& laboratory) {
@@ -75,9 +81,9 @@ std::string table_of(const ValidationDeck& deck, const Json& cases) {
     for (const Json& c : one["comparisons"]) {
       const Display display = display_of(c["figure"].get<std::string>());
       text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", one["name"].get<std::string>(), display.name,
-                          cell(c["laboratory"], c["deviation"], display.factor),
-                          cell(c["published"], nullptr, display.factor), difference(c["published"], c["laboratory"]),
-                          cell(c["here"], c["error"], display.factor), difference(c["here"], c["laboratory"]));
+                          cell(c["laboratory"], c["deviation"], display), cell(c["published"], nullptr, display),
+                          difference(c["published"], c["laboratory"]), cell(c["here"], c["error"], display),
+                          difference(c["here"], c["laboratory"]));
     }
   }
   return text;

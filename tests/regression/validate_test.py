@@ -57,8 +57,8 @@ class Validate(FolderTest):
         rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in done.stdout.splitlines()]
         self.assertEqual(rows[0], ["case", "figure", "laboratory", "theirs", "difference", "here", "difference"])
         self.assertEqual([row[0] for row in rows[2:]], ["one", "one", "two", "two"])
-        self.assertEqual(rows[2][1:5], ["discharged mass, g", "0.04 +- 0.002", "0.041", "+2.5 %"])
-        self.assertEqual(rows[3][1:5], ["angle of repose, degrees", "30", "none", "-"])
+        self.assertEqual(rows[2][1:5], ["discharged mass, g", "0.04000 +- 0.0020", "0.04100", "+2.5 %"])
+        self.assertEqual(rows[3][1:5], ["angle of repose, degrees", "30.00", "none", "-"])
         with open(os.path.join(self.output, "validation.json")) as file:
             cases = json.load(file)["cases"]
         for case in cases:
@@ -69,7 +69,7 @@ class Validate(FolderTest):
                              [summary["discharged_mass_kg"], summary["angle_of_repose_deg"]])
         self.assertNotEqual(cases[0]["state_hash"], cases[1]["state_hash"])
         here = 1e3 * cases[0]["comparisons"][0]["here"]
-        self.assertEqual(rows[2][5:], [f"{here:.4g}", f"{100 * (here / 0.04 - 1):+.1f} %"])
+        self.assertEqual(rows[2][5:], [f"{here:#.4g}", f"{100 * (here / 0.04 - 1):+.1f} %"])
 
         written = os.stat(os.path.join(self.output, "one", "summary.json")).st_mtime_ns
         again = self.validate(path)

@@ -2,13 +2,32 @@
 """Studies behind docs/validation.md; see README.md. What has been run already is not run again."""
 
 import argparse
+import json
 import math
 import pathlib
+import subprocess
 
 import sand_layer
-from bench import ROOT, Bench, figures, means_of, with_seeds, write
+from bench import ROOT, Bench, figures, means_of, save, with_seeds, write
 
 MATERIALS = ("material.0", "material.1")
+STOPPED = 75  # exit code of a run that was stopped with a checkpoint
+
+
+def full(options):
+    """Cases of input/validation.toml at full size, one after the other on all ranks."""
+    output = options.work / "validation"
+    for case in options.cases:
+        command = ["mpirun", "-n", str(options.ranks), options.program, "validate", str(ROOT / "input" / "validation.toml"),
+                   "--case", case, "--output", str(output)]
+        if options.time_limit:
+            command += ["--time-limit", options.time_limit]
+        code = subprocess.run(command, stdin=subprocess.DEVNULL).returncode
+        if code != 0:
+            raise SystemExit(f"{case} ended with exit code {code}" + (": the same command goes on" if code == STOPPED else ""))
+        compared = json.loads((output / "validation.json").read_text())["cases"][0]["comparisons"]
+        summary = json.loads((output / case / "summary.json").read_text())
+        save(options.results / f"{case}.json", case=case, comparisons=compared, summary=summary)
 
 
 def stiffness(options):
@@ -58,7 +77,7 @@ def sizes(options):
     write(options, "sizes", summaries, rows)
 
 
-STUDIES = {"stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study}
+STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study}
 
 
 def main():
@@ -68,6 +87,9 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "validation")
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "validation")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time, one rank each")
+    parser.add_argument("--ranks", type=int, default=2, help="of a case of full size")
+    parser.add_argument("--cases", nargs="+", default=["carbohsp_mono", "carbohsp_multi", "sand_multi"], help="of full size")
+    parser.add_argument("--time-limit", help="of a case of full size: HH:MM:SS")
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.0, 12.0], help="of the funnel, mm")
     options = parser.parse_args()

@@ -31,37 +31,42 @@ def full(options):
 
 
 def stiffness(options):
-    """The small scattering test with Young's moduli of 5e6, 5e7 and 5e8 Pa."""
-    seeds = {5e6: options.seeds, 5e7: max(2, options.seeds - 2), 5e8: 2}
+    """The quick discharge test with Young's moduli of 5e6, 5e7 and 5e8 Pa."""
+    moduli = ("5e6", "5e7", "5e8")
     runs = {}
-    for modulus, count in seeds.items():
-        runs |= with_seeds(f"stiffness_{modulus:.0e}", "scatter_mini.toml", [f"{m}.youngs_modulus={modulus}" for m in MATERIALS], count)
+    for modulus in moduli:
+        sets = [f"{material}.youngs_modulus={modulus}" for material in MATERIALS]
+        runs |= with_seeds(f"stiffness_{modulus}", "discharge_quick.toml", sets, options.seeds)
     summaries = Bench(options).run_all(runs)
-    rows = []
-    for modulus, count in seeds.items():
-        rows.append({"E, Pa": f"{modulus:.0e}", **means_of(summaries, f"stiffness_{modulus:.0e}", count)})
+    rows = [{"E, Pa": modulus, **means_of(summaries, f"stiffness_{modulus}", options.seeds)} for modulus in moduli]
     write(options, "stiffness", summaries, rows)
 
 
 def funnel(options):
-    """8 g of mono-size CarboHSP, calibrated: what stays in cylinders of several radii; their slope gives the funnel's. The
-    domain ends 6 mm below the hole, so that what has left costs nothing."""
+    """8 g, calibrated: what stays in cylinders of several radii, of CarboHSP of one size, by which the radius is chosen, and
+    of sand in the radius chosen. The domain ends 6 mm below the hole, so that what has left costs nothing."""
+    cases = [("scatter_carbohsp.toml", radius, 2.115, ["particles.0.spacing=600 um"]) for radius in options.radii]
+    cases.append(("scatter_sand.toml", 11.0, 1.526, []))  # bulk densities: thesis table 3.1
     runs = {}
-    for radius in options.radii:
-        runs[f"funnel_{radius:g}"] = ("scatter_carbohsp.toml", [
-            "particles.0.mass=8 g", f"particles.0.radius={radius} mm", "particles.0.height=58 mm", "particles.0.spacing=600 um",
-            "domain.min=[-0.05, -0.05, -0.006]", "domain.max=[0.05, 0.05, 0.06]",
-            f"wall.vessel.points=[[{1e-3 * radius}, 0.06], [{1e-3 * radius}, 0.0], [0.0025, 0.0]]"])
+    for deck, radius, _, sets in cases:
+        profile = [[1e-3 * radius, 0.067], [1e-3 * radius, 0.0], [0.0025, 0.0]]
+        runs[funnel_run(deck, radius)] = (deck, [
+            *sets, "particles.0.mass=8 g", f"particles.0.radius={radius} mm", "particles.0.height=65 mm",
+            "domain.min=[-0.05, -0.05, -0.006]", "domain.max=[0.05, 0.05, 0.067]", f"wall.vessel.points={profile}"])
     summaries = Bench(options).run_all(runs)
     rows = []
-    for radius in options.radii:
-        summary = summaries[f"funnel_{radius:g}"]
-        retained = 8.0 - figures(summary)["discharged_g"]
+    for deck, radius, bulk_density, _ in cases:
+        row = figures(summaries[funnel_run(deck, radius)])
+        retained = 8.0 - row["discharged_g"]
         # Slope of a surface that rises from the orifice's edge to the wall: volume = 2 pi tan(a) int (r - 2.5) r dr
         ring = 2.0 * math.pi * ((radius**3 - 2.5**3) / 3.0 - 2.5 * (radius**2 - 2.5**2) / 2.0)  # mm3
-        rows.append({"radius, mm": float(radius), "retained, g": retained, "rate, g/s": figures(summary)["rate_g_s"],
-                     "slope at 2.115 g/cm3, degrees": math.degrees(math.atan(retained / 2.115e-3 / ring))})
+        rows.append({"deck": deck, "radius, mm": radius, "retained, g": retained, "rate, g/s": row["rate_g_s"],
+                     "slope, degrees": math.degrees(math.atan(1e3 * retained / bulk_density / ring))})
     write(options, "funnel", summaries, rows)
+
+
+def funnel_run(deck, radius):
+    return f"funnel_{pathlib.Path(deck).stem}_{radius:g}"
 
 
 def sizes(options):

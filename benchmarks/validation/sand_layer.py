@@ -3,9 +3,13 @@
 import math
 
 import h5py
+import matplotlib
 import numpy as np
 
 from bench import Bench, figures, write
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
 
 RADIUS, ORIFICE, DIAMETER = 11.0, 2.5, 0.765  # mm
 MASS = "6 g"
@@ -46,6 +50,23 @@ def gap_to_wall(position, points):
     return nearest - 0.5 * DIAMETER
 
 
+def draw(folders, path):
+    """What is left in each vessel, {half angle: folder}: grains that a plane through the axis cuts, and the profile."""
+    figure, axes = pyplot.subplots(1, len(folders), figsize=(3.2 * len(folders), 3.8), sharey=True, layout="constrained")
+    for axis, (half_angle, folder) in zip(axes, folders.items()):
+        for x, y, z in retained(folder):
+            if abs(y) < 0.5 * DIAMETER:
+                cut = math.sqrt((0.5 * DIAMETER) ** 2 - y * y)
+                axis.add_patch(pyplot.Circle((x, z), cut, facecolor="#d8c9a8", edgecolor="#6b5b3a", linewidth=0.4))
+        for side in (-1, 1):
+            axis.plot([side * r for r, _ in profile(half_angle)], [z for _, z in profile(half_angle)], color="#23395d")
+        axis.set(title="flat floor" if half_angle == 90 else f"half angle {half_angle} degrees", xlabel="mm", aspect="equal",
+                 xlim=(-RADIUS - 1, RADIUS + 1), ylim=(-1, 22))
+    axes[0].set_ylabel("mm")
+    figure.savefig(path, dpi=100)
+    print(f"wrote {path}")
+
+
 def study(options):
     cases = {f"sand_{angle}_{sliding}_{rolling}": (angle, sliding, rolling)
              for angle in HALF_ANGLES for sliding, rolling in FRICTION}
@@ -58,3 +79,5 @@ def study(options):
                      "discharged, g": figures(summaries[name])["discharged_g"], "plugged": summaries[name]["plugged"],
                      "grains left": len(position), "of them at the wall": int(in_layer.sum())})
     write(options, "sand_layer", summaries, rows)
+    sliding, rolling = FRICTION[1]
+    draw({angle: options.work / f"sand_{angle}_{sliding}_{rolling}" for angle in HALF_ANGLES}, options.work / "sand_layer.png")

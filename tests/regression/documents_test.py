@@ -1,5 +1,6 @@
 """Every command of the documents that begins with repose, with mpirun and repose, or with a Python tool is run as it stands there,
-on reduced decks; forms such as `repose run DECK --output DIR [--quiet]` are compared with the help. So a new command in a
+on reduced decks; forms such as `repose run DECK --output DIR [--quiet]` are compared with the help, and so are benchmarks,
+which take too long, there and in the documents beside them. So a new command in a
 document is run without a change here. What cannot be run is in NOT_RUN with its reason; what takes too long gets a
 reduction. Entries that nothing in the documents needs any more are errors, too.
 
@@ -30,11 +31,12 @@ CHANGED = {
         "phase.discharge.max_time=80 ms", "phase.discharge.min_time=80 ms", "measurement.discharge.plugged_share=0.02")) + "]"),
 }
 # Words of the documents and what they stand for here, where the rest of the command can be run.
-STANDS_FOR = {"DECK": "input/discharge_quick.toml", "DIR": "results/a_run", "results/quick/run_0000089762.hdf": "results/quick/run_*.hdf"}
+STANDS_FOR = {"DECK": "input/discharge_quick.toml", "DIR": "results/a_run", "results/quick/run_0000089762.hdf": "results/quick/run_*.hdf",
+              "results/validation/carbohsp_mono/run_0001117900.hdf": "results/validation/carbohsp_mono/run_*.hdf"}
 # Beginnings of commands, and why they are not run.
 NOT_RUN = {}
 FORM = re.compile(r"\[|\.\.\.|\b(DECK|FILE|FILES|DIR|TOOL|SNAPSHOT|RESULT)\b|\bA\.csv\b|<")
-BEGINS = re.compile(r"(\w+=\S+ )*((mpirun|mpiexec)( -\S+ \S+)* )?((build/release/src/)?repose(?!:) \S|tools/\w+\.py( |$))")
+BEGINS = re.compile(r"(\w+=\S+ )*((mpirun|mpiexec)( -\S+ \S+)* )?((build/release/src/)?repose(?!:) \S|(tools|benchmarks/\w+)/\w+\.py( |$))")
 LONGEST = 120  # s for one command
 
 
@@ -90,7 +92,8 @@ class Workshop:
         programs = os.path.join(folder, "build", "release", "src")
         os.makedirs(programs)
         os.symlink(os.path.abspath(executable), os.path.join(programs, "repose"))
-        os.symlink(os.path.join(source, "tools"), os.path.join(folder, "tools"))
+        for name in ("tools", "benchmarks"):
+            os.symlink(os.path.join(source, name), os.path.join(folder, name))
         shutil.copytree(os.path.join(source, "input"), os.path.join(folder, "input"))
         for name, (old, new) in CHANGED.items():
             path = os.path.join(folder, "input", name)
@@ -121,6 +124,15 @@ class Workshop:
         self.help_of(tuple(names))
         for option in re.findall(r"(?<![\w-])--[\w-]+", " ".join(words)):
             assert re.search(rf"^  (-\w,)?{option}\b", self.help_of(tuple(names)), re.M), f"{command}: there is no {option}"
+
+    def check_benchmark(self, command):
+        """The script, its study and its options are those of its help."""
+        words = shlex.split(command)
+        first_option = next((k for k, word in enumerate(words) if word.startswith("-")), len(words))
+        said = self.say([*words[:first_option], "--help"])
+        for option in [word.split("=")[0] for word in words if word.startswith("--")]:
+            assert re.search(rf"^  {option}\b", said, re.M), f"{command}: there is no {option}"
+        self.ran += 1
 
     def run(self, command):
         """Runs it, reduced, on two ranks at most, and returns what it says."""
@@ -183,7 +195,9 @@ def check_command(workshop, command, language):
     workshop.used.update(reason)
     if reason:
         return
-    if not is_form(command, language):
+    if command.startswith("benchmarks/"):
+        workshop.check_benchmark(command)
+    elif not is_form(command, language):
         workshop.run(command)
     elif "repose " in command:
         workshop.check_form(command)
@@ -223,8 +237,9 @@ def main():
         check_first_deck(workshop, guide)
         check_python(workshop, guide)
         documents = [os.path.join(source, "README.md"), guide, *sorted(set(glob.glob(os.path.join(source, "docs", "*.md"))) - {guide})]
+        documents += sorted(glob.glob(os.path.join(source, "benchmarks", "*", "README.md")))
         for path in documents:
-            check_commands(workshop, os.path.basename(path), path)
+            check_commands(workshop, os.path.relpath(path, source) if "benchmarks" in path else os.path.basename(path), path)
         unused = {*REDUCED, *STANDS_FOR, *NOT_RUN} - workshop.used
         assert not unused, f"no document needs these entries any more: {sorted(unused)}"
         assert workshop.ran > 12, f"only {workshop.ran} commands were found"

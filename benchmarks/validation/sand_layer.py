@@ -11,10 +11,9 @@ from bench import Bench, figures, write
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
-RADIUS, ORIFICE, MEAN_DIAMETER = 11.0, 2.5, 0.765  # mm
+RADIUS, ORIFICE, DIAMETER = 11.0, 2.5, 0.765  # mm
 HALF_ANGLES = (90, 60, 30)  # degrees from the axis; 90 is a flat floor
 FRICTION = ((0.1, 0.1), (0.307, 0.462), (0.5, 0.6))  # between grains: corners of the thesis's range and its calibrated values
-MONO, MULTI = "sand_mono.toml", "sand_multi.toml"
 
 
 def profile(half_angle):
@@ -23,12 +22,11 @@ def profile(half_angle):
     return [(ORIFICE, 0.0), (RADIUS, edge), (RADIUS, edge + 60.0)]
 
 
-def sets(deck, half_angle, sliding, rolling):
+def sets(half_angle, sliding, rolling):
     points = profile(half_angle)
     bottom, top = points[1][1], points[2][1]
-    own = ["particles.0.spacing=1 mm"] if deck == MONO else ["domain.min=[-0.07, -0.07, -0.006]"]  # what has left costs nothing
-    return [*own, "particles.0.mass=6 g", f"particles.0.radius={RADIUS} mm", f"particles.0.centre=[0.0, 0.0, {1e-3 * bottom}]",
-            "particles.0.height=58 mm", f"domain.max=[0.07, 0.07, {1e-3 * top}]",
+    return ["particles.0.mass=6 g", f"particles.0.radius={RADIUS} mm", f"particles.0.centre=[0.0, 0.0, {1e-3 * bottom}]",
+            "particles.0.height=58 mm", "particles.0.spacing=1 mm", f"domain.max=[0.07, 0.07, {1e-3 * top}]",
             f"wall.vessel.points={[[1e-3 * r, 1e-3 * z] for r, z in reversed(points)]}",
             f"pair.0.sliding_friction={sliding}", f"pair.0.rolling_friction={rolling}", "phase.discharge.max_time=12 s"]
 
@@ -41,13 +39,13 @@ def retained(folder):
     return position[above], radius[above]
 
 
-def rim(position):
+def rim(position, radius, diameter):
     """By how many mm the grains at the cylinder's wall stand higher than those beside them: means of the tops of 24 sectors, in
-    rings one mean diameter wide; None where either ring is not all around."""
+    rings one diameter wide; None where either ring is not all around."""
     r, z = np.hypot(position[:, 0], position[:, 1]), position[:, 2]
     sector = np.floor(24 * (np.arctan2(position[:, 1], position[:, 0]) / (2 * math.pi) + 0.5)).astype(int) % 24
     tops = np.full((2, 24), -np.inf)
-    ring = np.floor((RADIUS - r) / MEAN_DIAMETER).astype(int)
+    ring = np.floor((radius - r) / diameter).astype(int)
     for k in (0, 1):
         np.maximum.at(tops[k], sector[ring == k], z[ring == k])
     return float(np.mean(tops[0] - tops[1])) if np.all(np.isfinite(tops)) else None
@@ -70,18 +68,16 @@ def draw(vessels, path):
 
 
 def study(options):
-    cases = {f"sand_{angle}_{sliding}_{rolling}": (MONO, angle, sliding, rolling)
+    cases = {f"sand_{angle}_{sliding}_{rolling}": (angle, sliding, rolling)
              for angle in HALF_ANGLES for sliding, rolling in FRICTION}
-    sliding, rolling = FRICTION[0]
-    cases["sand_multi"] = (MULTI, HALF_ANGLES[0], sliding, rolling)
-    summaries = Bench(options).run_all({name: (case[0], sets(*case)) for name, case in cases.items()})
+    summaries = Bench(options).run_all({name: ("sand_mono.toml", sets(*case)) for name, case in cases.items()})
     rows = []
-    for name, (deck, angle, sliding, rolling) in cases.items():
+    for name, (angle, sliding, rolling) in cases.items():
         position, _ = retained(options.work / name)
-        rows.append({"deck": deck, "half angle": angle, "sliding": sliding, "rolling": rolling,
+        rows.append({"half angle": angle, "sliding": sliding, "rolling": rolling,
                      "discharged, g": figures(summaries[name])["discharged_g"], "plugged": summaries[name]["plugged"],
-                     "grains left": len(position), "rim, mm": rim(position)})
+                     "grains left": len(position), "rim, mm": rim(position, RADIUS, DIAMETER)})
     write(options, "sand_layer", summaries, rows)
-    drawn = [(f"one size, friction {s}, {r}", 90, options.work / f"sand_90_{s}_{r}") for s, r in FRICTION[:2]]
-    drawn += [(f"many sizes, friction {sliding}, {rolling}", 90, options.work / "sand_multi")]
-    draw(drawn, options.work / "sand_layer.png")
+    drawn = [(f"flat floor, friction {s}, {r}", 90, options.work / f"sand_90_{s}_{r}") for s, r in FRICTION]
+    draw([*drawn, ("cone of 60 degrees, any", 60, options.work / f"sand_60_{FRICTION[0][0]}_{FRICTION[0][1]}")],
+         options.work / "sand_layer.png")

@@ -45,23 +45,24 @@ def stiffness(options):
 def funnel(options):
     """8 g, calibrated: what stays in cylinders of several radii, of CarboHSP of one size, by which the radius is chosen, and
     of sand in the radius chosen. The domain ends 6 mm below the hole, so that what has left costs nothing."""
-    cases = [("scatter_carbohsp.toml", radius, 2.115, ["particles.0.spacing=600 um"]) for radius in options.radii]
-    cases.append(("scatter_sand.toml", 11.0, 1.526, []))  # bulk densities: thesis table 3.1
+    cases = [("scatter_carbohsp.toml", radius, 0.44, 2.115, ["particles.0.spacing=600 um"]) for radius in options.radii]
+    cases.append(("scatter_sand.toml", 11.0, 0.765, 1.526, []))  # mean diameter; bulk density: thesis table 3.1
     runs = {}
-    for deck, radius, _, sets in cases:
+    for deck, radius, _, _, sets in cases:
         profile = [[1e-3 * radius, 0.067], [1e-3 * radius, 0.0], [0.0025, 0.0]]
         runs[funnel_run(deck, radius)] = (deck, [
             *sets, "particles.0.mass=8 g", f"particles.0.radius={radius} mm", "particles.0.height=65 mm",
             "domain.min=[-0.05, -0.05, -0.006]", "domain.max=[0.05, 0.05, 0.067]", f"wall.vessel.points={profile}"])
     summaries = Bench(options).run_all(runs)
     rows = []
-    for deck, radius, bulk_density, _ in cases:
+    for deck, radius, diameter, bulk_density, _ in cases:
         row = figures(summaries[funnel_run(deck, radius)])
         retained = 8.0 - row["discharged_g"]
+        rim = sand_layer.rim(sand_layer.retained(options.work / funnel_run(deck, radius))[0], radius, diameter)
         # Slope of a surface that rises from the orifice's edge to the wall: volume = 2 pi tan(a) int (r - 2.5) r dr
         ring = 2.0 * math.pi * ((radius**3 - 2.5**3) / 3.0 - 2.5 * (radius**2 - 2.5**2) / 2.0)  # mm3
         rows.append({"deck": deck, "radius, mm": radius, "retained, g": retained, "rate, g/s": row["rate_g_s"],
-                     "slope, degrees": math.degrees(math.atan(1e3 * retained / bulk_density / ring))})
+                     "slope, degrees": math.degrees(math.atan(1e3 * retained / bulk_density / ring)), "rim, mm": rim})
     write(options, "funnel", summaries, rows)
 
 

@@ -37,17 +37,15 @@ Display display_of(const std::string& figure) {
   std::string name = figure;
   std::string shown;
   double factor = 1.0;
-  bool is_count = true;
   for (const Unit& unit : units) {
     if (!name.ends_with(unit.ending)) continue;
     name.erase(name.rfind('_'));
     shown = unit.shown;
     factor = unit.factor;
-    is_count = false;
     break;
   }
   for (char& c : name) c = c == '_' || c == '.' ? ' ' : c;
-  return {name + shown, factor, is_count};
+  return {name + shown, factor, shown.empty()};
 }
 
 Json comparison_json(const ComparisonDeck& c, const Json& summary) {

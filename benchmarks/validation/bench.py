@@ -43,6 +43,20 @@ def figures(summary):
             "time_s": summary["discharge_time_s"], "rate_g_s": 1e3 * summary["discharge_rate_kg_s"]}
 
 
+def flat_floor(radius, height):
+    """Points (r, z) in m of a cylinder from the hole of 5 mm in its floor to its rim."""
+    return [(0.0025, 0.0), (radius, 0.0), (radius, height)]
+
+
+def vessel(mass, points, half_width):
+    """The overrides that give a deck a vessel, filled up to 2 mm below its rim. points: (r, z) of its hole, of where its cylinder
+    begins and of its rim; half_width: of the domain; all in m."""
+    _, (radius, bottom), (_, top) = points
+    return [f"particles.0.mass={mass}", f"particles.0.radius={1e3 * radius:g} mm", f"particles.0.centre=[0.0, 0.0, {bottom}]",
+            f"particles.0.height={1e3 * (top - bottom) - 2:g} mm", f"domain.max=[{half_width}, {half_width}, {top}]",
+            f"wall.vessel.points={[list(point) for point in reversed(points)]}"]
+
+
 def with_seeds(name, deck, sets, count):
     """{name: (deck, sets)} of a run with several seeds."""
     return {f"{name}_{seed}": (deck, [*sets, f"run.seed={seed}"]) for seed in range(1, count + 1)}

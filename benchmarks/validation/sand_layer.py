@@ -6,7 +6,7 @@ import h5py
 import matplotlib
 import numpy as np
 
-from bench import Bench, figures, write
+from bench import Bench, figures, vessel, write
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -23,11 +23,7 @@ def profile(half_angle):
 
 
 def sets(half_angle, sliding, rolling):
-    points = profile(half_angle)
-    bottom, top = points[1][1], points[2][1]
-    return ["particles.0.mass=6 g", f"particles.0.radius={RADIUS} mm", f"particles.0.centre=[0.0, 0.0, {1e-3 * bottom}]",
-            "particles.0.height=58 mm", "particles.0.spacing=1 mm", f"domain.max=[0.07, 0.07, {1e-3 * top}]",
-            f"wall.vessel.points={[[1e-3 * r, 1e-3 * z] for r, z in reversed(points)]}",
+    return [*vessel("6 g", [(1e-3 * r, 1e-3 * z) for r, z in profile(half_angle)], 0.07), "particles.0.spacing=1 mm",
             f"pair.0.sliding_friction={sliding}", f"pair.0.rolling_friction={rolling}", "phase.discharge.max_time=12 s"]
 
 

@@ -8,7 +8,7 @@ import pathlib
 import subprocess
 
 import sand_layer
-from bench import ROOT, Bench, figures, means_of, save, with_seeds, write
+from bench import ROOT, Bench, figures, flat_floor, means_of, save, vessel, with_seeds, write
 
 MATERIALS = ("material.0", "material.1")
 STOPPED = 75  # exit code of a run that was stopped with a checkpoint
@@ -45,20 +45,18 @@ def stiffness(options):
 def funnel(options):
     """8 g, calibrated: what stays in cylinders of several radii, of CarboHSP of one size, by which the radius is chosen, and
     of sand in the radius chosen. The domain ends 6 mm below the hole, so that what has left costs nothing."""
-    cases = [("scatter_carbohsp.toml", radius, 0.44, 2.115, ["particles.0.spacing=600 um"]) for radius in options.radii]
-    cases.append(("scatter_sand.toml", 11.0, 0.765, 1.526, []))  # mean diameter; bulk density: thesis table 3.1
-    runs = {}
-    for deck, radius, _, _, sets in cases:
-        profile = [[1e-3 * radius, 0.067], [1e-3 * radius, 0.0], [0.0025, 0.0]]
-        runs[funnel_run(deck, radius)] = (deck, [
-            *sets, "particles.0.mass=8 g", f"particles.0.radius={radius} mm", "particles.0.height=65 mm",
-            "domain.min=[-0.05, -0.05, -0.006]", "domain.max=[0.05, 0.05, 0.067]", f"wall.vessel.points={profile}"])
+    # Deck, radius in mm, mean diameter in mm, bulk density in g/cm3 (thesis table 3.1), overrides
+    cases = {f"funnel_scatter_carbohsp_{radius:g}": ("scatter_carbohsp.toml", radius, 0.44, 2.115, ["particles.0.spacing=600 um"])
+             for radius in options.radii}
+    cases["funnel_scatter_sand_11"] = ("scatter_sand.toml", 11.0, 0.765, 1.526, [])
+    runs = {name: (deck, [*own, *vessel("8 g", flat_floor(1e-3 * radius, 0.067), 0.05), "domain.min=[-0.05, -0.05, -0.006]"])
+            for name, (deck, radius, _, _, own) in cases.items()}
     summaries = Bench(options).run_all(runs)
     rows = []
-    for deck, radius, diameter, bulk_density, _ in cases:
-        row = figures(summaries[funnel_run(deck, radius)])
+    for name, (deck, radius, diameter, bulk_density, _) in cases.items():
+        row = figures(summaries[name])
         retained = 8.0 - row["discharged_g"]
-        rim = sand_layer.rim(sand_layer.retained(options.work / funnel_run(deck, radius))[0], radius, diameter)
+        rim = sand_layer.rim(sand_layer.retained(options.work / name)[0], radius, diameter)
         # Slope of a surface that rises from the orifice's edge to the wall: volume = 2 pi tan(a) int (r - 2.5) r dr
         ring = 2.0 * math.pi * ((radius**3 - 2.5**3) / 3.0 - 2.5 * (radius**2 - 2.5**2) / 2.0)  # mm3
         rows.append({"deck": deck, "radius, mm": radius, "retained, g": retained, "rate, g/s": row["rate_g_s"],
@@ -66,14 +64,9 @@ def funnel(options):
     write(options, "funnel", summaries, rows)
 
 
-def funnel_run(deck, radius):
-    return f"funnel_{pathlib.Path(deck).stem}_{radius:g}"
-
-
 def sizes(options):
     """1.5 g of CarboHSP of one size and of its distribution, each with its calibrated friction, from a cylinder of 6 mm."""
-    small = ["particles.0.mass=1.5 g", "particles.0.radius=6 mm", "particles.0.height=49 mm", "domain.max=[0.07, 0.07, 0.051]",
-             "wall.vessel.points=[[0.006, 0.051], [0.006, 0.0], [0.0025, 0.0]]"]
+    small = vessel("1.5 g", flat_floor(0.006, 0.051), 0.07)
     decks = {"mono": ("carbohsp_mono.toml", [*small, "particles.0.spacing=770 um"]), "multi": ("carbohsp_multi.toml", small)}
     runs = {}
     for name, (deck, sets) in decks.items():

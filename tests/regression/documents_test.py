@@ -83,6 +83,12 @@ def commands_of(lines):
     return [re.sub(r"\s+#( .*)?$", "", line) for line in text.splitlines() if BEGINS.match(line)]
 
 
+def check_options(command, words, said):
+    """The options among the words of a command are those of its help."""
+    for option in re.findall(r"(?<![\w-])--[\w-]+", words):
+        assert re.search(rf"^  (-\w,)?{option}\b", said, re.M), f"{command}: there is no {option}"
+
+
 class Workshop:
     """A folder in which the commands find what the documents speak of."""
 
@@ -121,17 +127,13 @@ class Workshop:
         names = []
         while words and re.fullmatch(r"[a-z]+", words[0]):
             names.append(words.pop(0))
-        self.help_of(tuple(names))
-        for option in re.findall(r"(?<![\w-])--[\w-]+", " ".join(words)):
-            assert re.search(rf"^  (-\w,)?{option}\b", self.help_of(tuple(names)), re.M), f"{command}: there is no {option}"
+        check_options(command, " ".join(words), self.help_of(tuple(names)))
 
     def check_benchmark(self, command):
         """The script, its study and its options are those of its help."""
         words = shlex.split(command)
         first_option = next((k for k, word in enumerate(words) if word.startswith("-")), len(words))
-        said = self.say([*words[:first_option], "--help"])
-        for option in [word.split("=")[0] for word in words if word.startswith("--")]:
-            assert re.search(rf"^  {option}\b", said, re.M), f"{command}: there is no {option}"
+        check_options(command, command, self.say([*words[:first_option], "--help"]))
         self.ran += 1
 
     def run(self, command):
@@ -180,7 +182,7 @@ def check_first_deck(workshop, path):
 
 
 def is_run_elsewhere(place):
-    return place.document == "user-guide.md" and place.section == "## A first deck"
+    return place.document == "docs/user-guide.md" and place.section == "## A first deck"
 
 
 def is_form(command, language):
@@ -239,7 +241,7 @@ def main():
         documents = [os.path.join(source, "README.md"), guide, *sorted(set(glob.glob(os.path.join(source, "docs", "*.md"))) - {guide})]
         documents += sorted(glob.glob(os.path.join(source, "benchmarks", "*", "README.md")))
         for path in documents:
-            check_commands(workshop, os.path.relpath(path, source) if "benchmarks" in path else os.path.basename(path), path)
+            check_commands(workshop, os.path.relpath(path, source), path)
         unused = {*REDUCED, *STANDS_FOR, *NOT_RUN} - workshop.used
         assert not unused, f"no document needs these entries any more: {sorted(unused)}"
         assert workshop.ran > 12, f"only {workshop.ran} commands were found"

@@ -26,7 +26,8 @@ Equivalence compare_means(std::span<const double> a, std::span<const double> b, 
     e.low = e.high = e.difference;
     return e;
   }
-  e.degrees = (va + vb) * (va + vb) / (va * va / (first.count - 1.0) + vb * vb / (second.count - 1.0));  // (T.12)
+  const double share = va / (va + vb);  // (T.12) by shares: the squares of the variances need not be representable
+  e.degrees = 1.0 / (share * share / (first.count - 1.0) + (1.0 - share) * (1.0 - share) / (second.count - 1.0));
   e.p_difference = 2.0 * student_cdf(-std::abs(e.difference) / e.standard_error, e.degrees);
   e.p_equivalence = std::max(student_cdf(-(e.difference + bound) / e.standard_error, e.degrees),
                              student_cdf((e.difference - bound) / e.standard_error, e.degrees));  // (T.13)

@@ -31,6 +31,22 @@ TEST(Equivalence, ByHand) {
   EXPECT_GT(compare_means(b, a, 2.9, 0.05).p_equivalence, 0.05);  // on the other side as well
 }
 
+/// In any unit the verdict is the same, also where the square of a variance is beyond the range of double precision.
+TEST(Equivalence, InAnyUnit) {
+  for (const double unit : {1e90, 1e-90}) {
+    const double a[] = {1.0 * unit, 2.0 * unit, 4.0 * unit};
+    const double b[] = {2.0 * unit, 3.0 * unit, 7.0 * unit};
+    const double plain_a[] = {1.0, 2.0, 4.0};
+    const double plain_b[] = {2.0, 3.0, 7.0};
+    const Equivalence e = compare_means(a, b, 3.0 * unit, 0.05);
+    const Equivalence plain = compare_means(plain_a, plain_b, 3.0, 0.05);
+    EXPECT_NEAR(e.degrees, plain.degrees, 1e-12);
+    EXPECT_NEAR(e.p_equivalence, plain.p_equivalence, 1e-12);
+    EXPECT_NEAR(e.p_difference, plain.p_difference, 1e-12);
+    EXPECT_NEAR(e.high / unit, plain.high, 1e-12);
+  }
+}
+
 /// The test at its own limit: where the means differ by just the bound, 5 % are called equivalent. 4000 trials: +- 0.35
 /// %.
 TEST(Equivalence, HasItsSignificance) {

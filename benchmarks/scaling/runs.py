@@ -1,6 +1,7 @@
 """Runs of the program that keep their summaries."""
 
 import json
+import shutil
 import subprocess
 
 from states import PHASE, launcher
@@ -13,6 +14,7 @@ def command(program, state, steps, ranks, name):
     deck.write_text(text + PHASE.format(steps=steps))
     options = [word for item in sets for word in ("--set", item)]
     output = folder / name
+    shutil.rmtree(output, ignore_errors=True)  # a run that was interrupted would have to be gone on with
     return [*launcher(ranks), str(program), "run", str(deck), "--output", str(output), "--quiet", *options], output
 
 

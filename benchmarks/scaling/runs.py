@@ -8,13 +8,13 @@ from states import PHASE, launcher
 
 
 def command(program, state, steps, ranks, name):
-    """The words of a run of so many steps, and where it writes."""
+    """The words of a run of so many steps, and the place where it writes, cleared of what an earlier run left."""
     folder, text, sets = state
     deck = folder / f"{name}.toml"
     deck.write_text(text + PHASE.format(steps=steps))
     options = [word for item in sets for word in ("--set", item)]
     output = folder / name
-    shutil.rmtree(output, ignore_errors=True)  # a run that was interrupted would have to be gone on with
+    shutil.rmtree(output, ignore_errors=True)
     return [*launcher(ranks), str(program), "run", str(deck), "--output", str(output), "--quiet", *options], output
 
 

@@ -57,8 +57,8 @@ def settled_bed(program, work, size, ranks=1):
         folder.mkdir(parents=True, exist_ok=True)
         fill = [f"particles.0.count={size}", f"particles.0.max=[{edge}, {edge}, 0.025]"]
         options = [word for text in [*sets, *fill] for word in ("--set", text)]
-        subprocess.run([*launcher(ranks), program, "run", BED, "--output", folder / "settling", "--quiet", *options],
-                       check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([*launcher(ranks), program, "run", BED, "--output", folder / "settling", "--quiet", "--restart",
+                        *options], check=True, stdout=subprocess.DEVNULL)
         next((folder / "settling").glob("run_*.hdf")).rename(state)
     text = without(BED.read_text(), LEFT_OUT) + PARTICLES.format(file=state) + OUTPUT
     return folder, text, sets

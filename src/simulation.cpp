@@ -186,7 +186,7 @@ void Simulation::rebuild_lists(ContactMemory memory) {
   if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
   balance();
   const std::size_t listed = pairs_.listed();
-  pairs_.clear();  // a large bed has no room for the old lists beside the new ones
+  pairs_.clear();
   admit(memory);
   migrate(comm_, decomposition_, particles_, memory);
   set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);

@@ -1,5 +1,7 @@
 #include "neighbours/pair_lists.h"
 
+#include <algorithm>
+
 namespace repose {
 namespace {
 
@@ -53,8 +55,18 @@ PairGroup& PairLists::group_for(const Particles& particles, std::size_t first, s
       .material_first = a, .material_second = b, .interior = interior, .pairs = {}, .blocks = {}, .fetch = {}});
 }
 
+void PairLists::clear() {
+  for (PairGroup& group : groups_) {
+    group.pairs.clear();
+    group.blocks.clear();
+    group.fetch.items.clear();
+    group.fetch.offset.assign(1, 0);
+    group.lanes = 0;
+  }
+}
+
 void PairLists::build(const Particles& particles, std::span<const IndexPair> pairs, const Csr<PairMemory>& memory) {
-  groups_.clear();
+  clear();
   for (const auto& [i, j] : pairs) {
     const bool i_first = particles.id[index(i)] < particles.id[index(j)];
     const std::int32_t first = i_first ? i : j;
@@ -70,59 +82,85 @@ void PairLists::build(const Particles& particles, std::span<const IndexPair> pai
     }
     group.pairs.push_back(pair);
   }
+  std::erase_if(groups_, [](const PairGroup& group) { return group.pairs.empty(); });
 }
 
 void PairLists::select_near(const Particles& particles, const SkinRule& rule) {
-  reach_.resize(particles.total());
-  for (std::size_t i = 0; i < reach_.size(); ++i) reach_[i] = reach_of(particles.record[i], rule);
-  for (PairGroup& group : groups_) {
-    find_near(particles, group);
-    blocks_.resize((near_.size() + block_lanes - 1) / block_lanes);
-    std::size_t next = 0;
-    for (std::size_t lane = 0; lane < near_.size(); ++lane, ++next) {
-      for (; next < index(near_[lane]); ++next) group.pairs[next].lane = -1;
-      PairGroup::Pair& pair = group.pairs[next];
-      set_lane(blocks_[lane / block_lanes], lane % block_lanes, pair.first, pair.second, history_of(group, pair));
-      pair.lane = static_cast<std::int32_t>(lane);
-    }
-    for (; next < group.pairs.size(); ++next) group.pairs[next].lane = -1;
-    fill_tail(blocks_, near_.size(), particles.total());
-    std::swap(group.blocks, blocks_);
-    group.lanes = near_.size();
-    list_fetches(particles, group);
+  spheres_.resize(particles.total());
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    spheres_[i] = {particles.record[i].position, reach_of(particles.record[i], rule)};
   }
-}
-
-void PairLists::list_fetches(const Particles& particles, PairGroup& group) {
-  constexpr std::uint32_t memory = 128;  // blocks whose particles are still in the second-level cache
-  used_.assign(particles.total() + 2, 0);
-  group.fetch.items.clear();
-  group.fetch.offset.assign(1, 0);
-  for (std::uint32_t b = 0; b < group.blocks.size(); ++b) {
-    for (const auto* side : {group.blocks[b].first, group.blocks[b].second}) {
-      for (int k = 0; k < block_lanes; ++k) {
-        std::uint32_t& used = used_[index(side[k])];
-        if (used == 0 || b + 1 > used + memory) group.fetch.items.push_back(side[k]);
-        used = b + 1;
-      }
-    }
-    group.fetch.offset.push_back(group.fetch.items.size());
+  for (PairGroup& group : groups_) {
+    find_near(group);
+    renew_lanes(group, particles.total());
+    list_fetches(particles, group);
   }
 }
 
 /// The pairs of a group that are closer than the sum of their reaches, by a loop without branches: which they are is
 /// hard to foresee.
-void PairLists::find_near(const Particles& particles, const PairGroup& group) {
+void PairLists::find_near(const PairGroup& group) {
   near_.resize(group.pairs.size() + 1);
   std::size_t count = 0;
   for (std::size_t p = 0; p < group.pairs.size(); ++p) {
-    const std::size_t a = index(group.pairs[p].first);
-    const std::size_t b = index(group.pairs[p].second);
-    const double limit = reach_[a] + reach_[b];
+    const ReachSphere& a = spheres_[index(group.pairs[p].first)];
+    const ReachSphere& b = spheres_[index(group.pairs[p].second)];
+    const double limit = a.reach + b.reach;
     near_[count] = static_cast<std::int32_t>(p);
-    count += squared_norm(particles.record[a].position - particles.record[b].position) < limit * limit ? 1U : 0U;
+    count += squared_norm(a.position - b.position) < limit * limit ? 1U : 0U;
   }
   near_.resize(count);
+}
+
+/// Gives the near pairs of a group the first lanes, in their order, with their histories. In place: as the old lanes
+/// follow the same order, no lane is overwritten whose history is still needed, when those that move down do so from
+/// the first on and then those that move up or are new from the last on.
+void PairLists::renew_lanes(PairGroup& group, std::size_t dummy) {
+  const std::size_t blocks = (near_.size() + block_lanes - 1) / block_lanes;
+  if (blocks > group.blocks.capacity()) group.blocks.reserve(blocks + blocks / 8);
+  group.blocks.resize(std::max(blocks, group.blocks.size()));
+  const auto move_to = [&](std::size_t lane, PairGroup::Pair& pair) {
+    const ContactHistory history = history_of(group, pair);
+    set_lane(group.blocks[lane / block_lanes], lane % block_lanes, pair.first, pair.second, history);
+    pair.lane = static_cast<std::int32_t>(lane);
+  };
+  std::size_t next = 0;
+  for (std::size_t lane = 0; lane < near_.size(); ++lane, ++next) {
+    for (; next < index(near_[lane]); ++next) group.pairs[next].lane = -1;
+    if (group.pairs[next].lane > static_cast<std::int32_t>(lane)) move_to(lane, group.pairs[next]);
+  }
+  for (; next < group.pairs.size(); ++next) group.pairs[next].lane = -1;
+  for (std::size_t lane = near_.size(); lane-- > 0;) {
+    PairGroup::Pair& pair = group.pairs[index(near_[lane])];
+    if (pair.lane != static_cast<std::int32_t>(lane)) move_to(lane, pair);
+  }
+  group.blocks.resize(blocks);
+  group.lanes = near_.size();
+  fill_tail(group.blocks, group.lanes, dummy);
+}
+
+void PairLists::list_fetches(const Particles& particles, PairGroup& group) {
+  constexpr std::uint32_t memory = 128;  // blocks whose particles are still in the second-level cache
+  used_.assign(particles.total() + 2, 0);
+  FetchList& fetch = group.fetch;
+  fetch.items.resize(2 * block_lanes * group.blocks.size());
+  fetch.offset.assign(1, 0);
+  std::uint32_t* const last_use = used_.data();
+  std::int32_t* const items = fetch.items.data();
+  std::size_t count = 0;
+  for (std::uint32_t b = 0; b < group.blocks.size(); ++b) {
+    for (const auto* side : {group.blocks[b].first, group.blocks[b].second}) {
+      for (int k = 0; k < block_lanes; ++k) {
+        const std::int32_t particle = side[k];
+        const std::uint32_t used = last_use[particle];
+        items[count] = particle;  // without a branch, as in find_near
+        count += used == 0 || b + 1 > used + memory ? 1U : 0U;
+        last_use[particle] = b + 1;
+      }
+    }
+    fetch.offset.push_back(count);
+  }
+  fetch.items.resize(count);
 }
 
 Csr<PairMemory> PairLists::memory(const Particles& particles) const {
@@ -161,7 +199,7 @@ std::size_t PairLists::bytes() const {
   std::size_t count = 0;
   for (const PairGroup& g : groups_)
     count += bytes_of(g.pairs) + bytes_of(g.blocks) + bytes_of(g.fetch.items) + bytes_of(g.fetch.offset);
-  return count + bytes_of(used_) + bytes_of(reach_) + bytes_of(near_) + bytes_of(blocks_);
+  return count + bytes_of(used_) + bytes_of(spheres_) + bytes_of(near_);
 }
 
 std::size_t PairLists::lanes() const {

@@ -40,8 +40,9 @@ class PairLists {
   /// stay.
   void select_near(const Particles& particles, const SkinRule& rule);
 
-  /// Gives the memory of all lists and histories back.
-  void clear() { *this = {}; }
+  /// Forgets all pairs and histories. Their memory is kept for the next ones: where a system has to find and clear huge
+  /// pages, new ones take longer than what is written there.
+  void clear();
 
   std::span<PairGroup> groups() { return groups_; }
   std::span<const PairGroup> groups() const { return groups_; }
@@ -57,14 +58,20 @@ class PairLists {
   std::size_t bytes() const;
 
  private:
+  struct alignas(32) ReachSphere {
+    Vec3 position;
+    double reach;  ///< m
+  };
+
+  void find_near(const PairGroup& group);
+  void renew_lanes(PairGroup& group, std::size_t dummy);
   void list_fetches(const Particles& particles, PairGroup& group);
-  void find_near(const Particles& particles, const PairGroup& group);
   PairGroup& group_for(const Particles& particles, std::size_t first, std::size_t second, bool interior);
 
   std::vector<PairGroup> groups_;
-  std::vector<double> reach_;        ///< of every particle, while select_near runs
+  // While select_near runs:
+  BigVector<ReachSphere> spheres_;   ///< of every particle
   std::vector<std::int32_t> near_;   ///< pairs of one group that it selects
-  BigVector<ContactBlock> blocks_;   ///< their lanes, until they replace the old ones
   std::vector<std::uint32_t> used_;  ///< by each particle, while fetches are listed: the last block
 };
 

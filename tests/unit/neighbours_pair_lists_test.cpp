@@ -132,17 +132,27 @@ void give_histories(const Particles& p, PairLists& lists) {
   }
 }
 
-/// Lanes of the inner lists that remember what tagged() says.
-std::size_t faithful_lanes(const Particles& p, const PairLists& lists) {
+/// Lanes of the inner lists of which is(pair, history) holds.
+template <class Is>
+std::size_t count_lanes(const Particles& p, const PairLists& lists, const Is& is) {
   std::size_t count = 0;
   for (const PairGroup& group : lists.groups()) {
     for (std::size_t lane = 0; lane < group.lanes; ++lane) {
       const ContactBlock& block = group.blocks[lane / block_lanes];
       const IdPair pair = ids(p, block.first[lane % block_lanes], block.second[lane % block_lanes]);
-      count += same(lane_history(group, lane), tagged(pair)) ? 1U : 0U;
+      count += is(pair, lane_history(group, lane)) ? 1U : 0U;
     }
   }
   return count;
+}
+
+/// Those that remember what tagged() says.
+std::size_t faithful_lanes(const Particles& p, const PairLists& lists) {
+  return count_lanes(p, lists, [](const IdPair& pair, const ContactHistory& h) { return same(h, tagged(pair)); });
+}
+
+std::size_t blank_lanes(const Particles& p, const PairLists& lists) {
+  return count_lanes(p, lists, [](const IdPair&, const ContactHistory& h) { return is_blank(h); });
 }
 
 TEST(PairLists, HistoriesSurviveANewSelection) {
@@ -159,6 +169,50 @@ TEST(PairLists, HistoriesSurviveANewSelection) {
   lists.select_near(p, inner);
   EXPECT_EQ(lists.lanes(), touching);
   EXPECT_EQ(faithful_lanes(p, lists), touching);
+}
+
+TEST(PairLists, HistoriesFollowTheirPairsWhileOthersComeAndGo) {
+  Particles p = random_cloud(46, clouds()[1]);
+  PairLists lists;
+  lists.build(p, listed(p, outer), nothing(p.owned));
+  const Particles listed_at = p;
+  Draw draw(47);
+  PairCount before;
+  for (int turn = 0; turn < 20; ++turn) {
+    for (std::size_t i = 0; i < p.total(); ++i) {
+      p.record[i].position = listed_at.record[i].position + draw.vector(0.1 * p.record[i].radius);
+    }
+    lists.select_near(p, inner);
+    const PairCount now = inner_pairs(p, lists);
+    EXPECT_EQ(now, brute_force(p, inner));
+    std::size_t stayed = 0;
+    for (const auto& [pair, count] : now) stayed += before.contains(pair) ? 1U : 0U;
+    EXPECT_EQ(faithful_lanes(p, lists), stayed);
+    EXPECT_EQ(blank_lanes(p, lists), now.size() - stayed);
+    if (turn > 0) {
+      EXPECT_GT(stayed, 100U);
+      EXPECT_GT(now.size(), stayed + 10);     // some have come
+      EXPECT_GT(before.size(), stayed + 10);  // and gone
+    }
+    give_histories(p, lists);
+    before = now;
+  }
+}
+
+TEST(PairLists, NewListsTakeTheMemoryOfTheOldOnes) {
+  const Particles p = random_cloud(48, clouds()[1]);
+  PairLists lists;
+  lists.build(p, listed(p, outer), nothing(p.owned));
+  lists.select_near(p, outer);
+  const ContactBlock* blocks = lists.groups().front().blocks.data();
+  const PairGroup::Pair* pairs = lists.groups().front().pairs.data();
+  lists.clear();
+  EXPECT_EQ(lists.listed(), 0U);
+  EXPECT_EQ(lists.lanes(), 0U);
+  lists.build(p, listed(p, outer), nothing(p.owned));
+  lists.select_near(p, outer);
+  EXPECT_EQ(lists.groups().front().blocks.data(), blocks);
+  EXPECT_EQ(lists.groups().front().pairs.data(), pairs);
 }
 
 TEST(PairLists, HistoriesSurviveARebuildInAnotherOrder) {

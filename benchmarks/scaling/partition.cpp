@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <exception>
 #include <set>
 #include <sstream>
 #include <string>
@@ -22,6 +21,7 @@
 #include "rank_load.h"
 #include "shared_file.h"
 #include "simulation.h"
+#include "tool.h"
 
 namespace {
 
@@ -177,7 +177,7 @@ Json row(const State& state, const Decomposition& division, int count, const cha
       {"bytes_per_step", json_of(figure(parts, [](const Part& p) { return p.sent * std::int64_t{sizeof(Motion)}; }))}};
 }
 
-int run(const std::vector<std::string>& words) {
+void run(const std::vector<std::string>& words) {
   const Communicator comm(MPI_COMM_SELF);
   std::vector<int> counts;
   std::istringstream list(words.at(0));
@@ -201,21 +201,8 @@ int run(const std::vector<std::string>& words) {
     }
   }
   std::puts(rows.dump(1).c_str());
-  return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const MpiGuard mpi(&argc, &argv);
-  if (argc < 3) {
-    std::fputs("usage: repose_partition PARTS SNAPSHOT...\n", stderr);
-    return 2;
-  }
-  try {
-    return run(std::vector<std::string>(argv + 1, argv + argc));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "ERROR: %s\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return run_tool(argc, argv, 2, "repose_partition PARTS SNAPSHOT...", run); }

@@ -12,7 +12,7 @@ def draw_all(args):
     for path in sorted(args.results.glob("*.json")):
         content = json.loads(path.read_text())
         draw = scaling if "case" in content else timeline if "runs" in content and "rows" in content else \
-            parts if "rows" in content else efficiency if "assumptions" in content else None
+            parts if "rows" in content and "table" not in content else efficiency if "assumptions" in content else None
         if draw is None:
             continue
         figure = draw(content)

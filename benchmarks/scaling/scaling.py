@@ -11,12 +11,14 @@ import sys
 import model
 import plots
 import states
-from runs import command, run, summary_in
+from runs import in_step, run, run_at_once, summary_in
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from report import ROOT, print_table, save  # noqa: E402
 
 CASES = ("bed", "weak", "discharge")
+BESIDE = ("efficiency", "of ranks in step", "at equal speed", "faster core over slower")  # what `beside` reports
+TURN = 25  # steps of ranks in step, then as many of free ones
 
 
 def numbers(text):
@@ -28,7 +30,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     common = argparse.ArgumentParser(add_help=False)
     common.add_argument("--work", type=pathlib.Path, default=ROOT / "build/benchmarks/scaling", help="what is made")
-    common.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release", help="built with REPOSE_BENCHMARKS")
+    common.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release", help="program and tools")
     common.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks/results/scaling", help="JSON files")
     scene = argparse.ArgumentParser(add_help=False)
     scene.add_argument("--case", choices=CASES, default="bed", help="weak: a bed of --size grains for each rank")
@@ -40,7 +42,7 @@ def arguments():
     sub.add_argument("--ranks", type=numbers, default="1,2,4,8", help="rank counts")
     sub.add_argument("--rounds", type=int, default=1, help="the median of the times is taken")
     sub = commands.add_parser("beside", parents=[common, scene], formatter_class=formatter,
-                              help="two ranks against one beside which another run works")
+                              help="two ranks on two cores against two runs of one rank, and against ranks in step")
     sub.add_argument("--rounds", type=int, default=5, help="of both, in alternation")
     sub = commands.add_parser("partition", parents=[common], formatter_class=formatter, help="divide snapshots offline")
     sub.add_argument("snapshots", type=pathlib.Path, nargs="+", help="in the order of time")
@@ -63,7 +65,7 @@ def state_of(args, ranks):
             raise SystemExit("--case discharge needs a --snapshot")
         return states.discharge(args.work, args.snapshot)
     size = args.size * ranks if args.case == "weak" else args.size
-    return states.settled_bed(args.program, args.work, size, ranks if args.case == "weak" else 1)
+    return states.settled_bed(args.program, args.work, size)
 
 
 def label(args):
@@ -130,38 +132,34 @@ def spread_of(values):
 
 def at_equal_speed(one, two):
     """Efficiency of two ranks if their cores were equally fast: the loop over the work (contacts and integration, in processor
-    time) of the one rank, and of that of the two which waits least; less the pairs that both evaluate."""
+    time) of the single runs, mean of both, and of that of the two ranks which waits least; less the pairs that both evaluate."""
     busiest = two["parallel"]
-    return (wall(one) / one["parallel"]["work_cpu_s"]["mean"]) / (wall(two) / busiest["work_cpu_s"]["max"]) * (
-        one["parallel"]["pairs_per_step"]["mean"] / (2.0 * busiest["pairs_per_step"]["max"]))
+    alone = statistics.mean(wall(run) / run["parallel"]["work_cpu_s"]["mean"] for run in one)
+    return alone / (wall(two) / busiest["work_cpu_s"]["max"]) * (
+        one[0]["parallel"]["pairs_per_step"]["mean"] / (2.0 * busiest["pairs_per_step"]["max"]))
 
 
 def beside(args):
-    """Parallel efficiency of two ranks on two cores: half their speed over that of one rank, beside which another,
-    independent run keeps the second core and its share of the memory busy."""
+    """Parallel efficiency of two ranks on two cores: their speed over the sum of the speeds of two independent runs of one
+    rank, each of which keeps a core and its share of the memory busy for the other. And what the cores allow: that of
+    two ranks which exchange nothing, but wait for one another at every step."""
     state = state_of(args, 1)
-    long_words, _ = command(args.program, state, 1000 * args.steps, 1, "companion")
-    efficiency, kept = [], []
+    half = state if args.case == "discharge" else states.settled_bed(args.program, args.work, args.size // 2)
+    lockstep = args.build.resolve() / "benchmarks/scaling/repose_lockstep"
+    kept = []
     for turn in range(args.rounds):
         two = run(args.program, state, args.steps, 2, "two")
-        companion = subprocess.Popen(long_words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
-        try:
-            one = run(args.program, state, args.steps, 1, "one")
-            if companion.poll() is not None:
-                raise SystemExit("the run beside the measured one ended before it")
-        finally:
-            companion.kill()
-            companion.wait()
-        if one["state_hash"] != two["state_hash"]:
+        one = run_at_once(args.program, state, args.steps, ["one", "other"])
+        if len({summary["state_hash"] for summary in (two, *one)}) != 1:
             raise SystemExit("the states differ")
-        efficiency.append(wall(one) / wall(two) / 2.0)
-        kept.append({"one": one, "two": two})
-        print(f"round {turn + 1}: {efficiency[-1]:.3f}", flush=True)
-    equal = spread_of([at_equal_speed(**turn) for turn in kept])
-    print("parallel efficiency of two ranks:", spread_of(efficiency))
-    print("if their cores were equally fast:", equal)
-    save(args.results / f"beside_{label(args)}.json", steps=args.steps, efficiency=spread_of(efficiency),
-         efficiency_at_equal_speed=equal, rounds=kept)
+        kept.append({"efficiency": 1.0 / wall(two) / sum(1.0 / wall(summary) for summary in one),
+                     "of ranks in step": in_step(lockstep, half, TURN, max(1, args.steps // TURN), 2),
+                     "at equal speed": at_equal_speed(one, two),
+                     "faster core over slower": max(map(wall, one)) / min(map(wall, one)), "one": one, "two": two})
+        print(f"round {turn + 1}: " + ", ".join(f"{key} {kept[-1][key]:.3f}" for key in BESIDE), flush=True)
+    table = [{"": key} | spread_of([turn[key] for turn in kept]) for key in BESIDE]
+    print_table(table)
+    save(args.results / f"beside_{label(args)}.json", steps=args.steps, table=table, rows=kept)
 
 
 def divide(args, snapshots, parts):

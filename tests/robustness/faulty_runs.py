@@ -3,10 +3,12 @@
 import os
 import signal
 import subprocess
+import tempfile
 import time
 
 from repose_runs import Program
 
+SHARED_MEMORY = "/dev/shm" if os.path.isdir("/dev/shm") else None
 LONGEST = 120  # wall seconds; a run of these tests takes a few, a machine under load ten times as long
 
 # About 310 steps, and the 312 grains of the quick deck: a fraction of a second.
@@ -26,30 +28,40 @@ class Job:
     """A started run with all its processes; none of them outlives the block."""
 
     def __init__(self, arguments, env=None, **popen):
+        self.scratch = tempfile.TemporaryDirectory(dir=SHARED_MEMORY)  # what Open MPI leaves behind when it is killed
+        places = {"OMPI_MCA_orte_tmpdir_base": self.scratch.name, "OMPI_MCA_btl_vader_backing_directory": self.scratch.name}
         self.process = subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                        text=True, start_new_session=True, env={**os.environ, **(env or {})}, **popen)
+                                        text=True, start_new_session=True, env={**os.environ, **places, **(env or {})}, **popen)
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        for pid in [*self.ranks(), self.process.pid]:
-            try:
-                os.kill(pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
-        self.process.wait()
+        self.kill()
         self.process.stdout.close()
         self.process.stderr.close()
+        self.scratch.cleanup()
+
+    def kill(self):
+        """kill -9 of all its processes. mpirun stands still first, so that it neither starts a rank meanwhile nor hears of one
+        that has died: Open MPI 4.1 hangs or crashes now and then when that happens inside MPI_Init."""
+        if self.process.poll() is None:
+            os.kill(self.process.pid, signal.SIGSTOP)
+            os.waitid(os.P_PID, self.process.pid, os.WSTOPPED | os.WEXITED | os.WNOWAIT)
+            for pid in [*self.children(), self.process.pid]:
+                os.kill(pid, signal.SIGKILL)
+        self.process.wait()
+
+    def children(self):
+        try:
+            with open(f"/proc/{self.process.pid}/task/{self.process.pid}/children") as file:
+                return [int(pid) for pid in file.read().split()]
+        except (FileNotFoundError, ProcessLookupError):
+            return []
 
     def ranks(self):
         """Process ids of the ranks under mpirun, in their order."""
-        try:
-            with open(f"/proc/{self.process.pid}/task/{self.process.pid}/children") as file:
-                children = [int(pid) for pid in file.read().split()]
-        except (FileNotFoundError, ProcessLookupError):
-            return []
-        return [pid for pid in children if name_of(pid) == "repose"]
+        return [pid for pid in self.children() if name_of(pid) == "repose"]
 
     def end(self, seconds=LONGEST):
         """Exit code, what was said on stdout, on stderr."""

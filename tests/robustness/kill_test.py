@@ -1,5 +1,5 @@
-"""kill -9 at random moments, of one rank or of all, and a restart on 1 to 4 ranks each time, until the run is complete: its
-results are those of a run that nobody disturbed, to the bit.
+"""kill -9 at random moments, of one rank or of the whole job, and a restart on 1 to 4 ranks each time, until the run is
+complete: its results are those of a run that nobody disturbed, to the bit.
 
 Usage: kill_test.py EXECUTABLE MPIEXEC SOURCE_DIR KILLS [SEED]
 """
@@ -41,14 +41,16 @@ class Disturbed:
                 wait_until(lambda: is_writing_checkpoint(self.output), job, LONG)
             saved = bool(checkpoints_of(self.output))
             alive = job.ranks()
-            victims = alive if self.draw.random() < 0.5 else self.draw.sample(alive, min(1, len(alive)))
-            for pid in victims:
-                os.kill(pid, signal.SIGKILL)
+            whole = self.draw.random() < 0.5
+            if alive and whole:
+                job.kill()
+            elif alive:
+                os.kill(self.draw.choice(alive), signal.SIGKILL)
             code, _, stderr = job.end()
         if code == 0:
             return False, saved
-        assert code == 137 and victims, f"exit {code}: {stderr}"
-        print(f"killed {len(victims)} of {ranks} ranks at row {rows_of(self.output)}"
+        assert alive and code == (-signal.SIGKILL if whole else 137), f"exit {code}: {stderr}"
+        print(f"killed {'all' if whole else 'one'} of {ranks} ranks at row {rows_of(self.output)}"
               f"{', in a checkpoint' if in_checkpoint else ''}", flush=True)
         return True, saved
 

@@ -6,6 +6,7 @@ Usage: calibrate_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 
 import csv
 import json
+import math
 import os
 import subprocess
 import sys
@@ -119,8 +120,15 @@ class Calibrate(FolderTest):
         self.assertEqual(len(self.table()), 18)
         self.assertEqual(self.read("grid.csv").splitlines()[:13], table.splitlines())
 
+    def seeds_for(self, seconds):
+        """How many seeds of GRID keep one rank of this machine busy for so long, or somewhat longer."""
+        begin = time.monotonic()
+        self.calibrate(self.write(GRID, seeds=1), ranks=1, output=self.path("probe"))
+        return math.ceil(seconds / (time.monotonic() - begin)) + 1
+
     def test_a_time_limit_stops_it_and_the_same_command_goes_on(self):
-        path, calm = self.write(GRID, seeds=3), self.path("calm")
+        seeds = self.seeds_for(9.0)
+        path, calm = self.write(GRID, seeds=seeds), self.path("calm")
         self.calibrate(path, output=calm)
         stopped = 0
         while True:
@@ -128,7 +136,7 @@ class Calibrate(FolderTest):
             if done.returncode == 0:
                 break
             self.assertEqual(done.returncode, 75, done.stderr)
-            self.assertIn("of 18 runs complete; the same command goes on from there", done.stderr)
+            self.assertIn(f"of {6 * seeds} runs complete; the same command goes on from there", done.stderr)
             stopped += 1
             self.assertLess(stopped, 40)
         self.assertGreater(stopped, 0)

@@ -12,8 +12,9 @@ namespace repose {
 
 /// A surface of triangles, felt from both sides. A touch is a place where the distance from the centre to the surface
 /// has a local minimum: a face that the centre projects onto, or an edge or a vertex when it projects onto nothing
-/// next to it. What is flat acts as one face (MeshFeatures). Of touches whose normals differ by less than the feature
-/// angle only the nearest counts: they stand for one smooth surface, however finely it is cut into facets.
+/// next to it. What is flat acts as one face (MeshFeatures), within a few surface.tolerance: a vertex very far away
+/// makes the whole mesh coarse, as its file has single precision. Of touches whose normals differ by less than the
+/// feature angle only the nearest counts: they stand for one smooth surface, however finely it is cut into facets.
 struct Mesh {
   TriangleMesh surface;
   MeshFeatures features;

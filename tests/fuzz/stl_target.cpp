@@ -1,5 +1,6 @@
 // An STL file, up to the wall that it becomes and its use.
 #include <cmath>
+#include <variant>
 
 #include "scene/wall.h"
 #include "target.h"
@@ -19,7 +20,8 @@ WallDeck mesh_wall() {
 void check_touches(const Wall& wall, const Vec3& centre) {
   const double d = distance(wall, centre);
   expect(std::isfinite(d), "a distance is finite");
-  const double reach = 1.1 * d + 1e-3;
+  const double flatness = 4.0 * std::get<Mesh>(wall.shape).surface.tolerance;  // a touch is that of a patch's plane
+  const double reach = 1.1 * d + 1e-3 + flatness;
   expect(is_within(wall, centre, reach), "what is near is within reach");
   TouchBuffer touches;
   const int found = find_touches(wall, 0, centre, reach, touches);

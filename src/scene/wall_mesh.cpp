@@ -76,9 +76,6 @@ Candidate candidate_at(const Mesh& mesh, std::int32_t feature, std::uint32_t tri
   return {is_patch ? distance : 0.0, normal, feature, triangle};
 }
 
-/// How far the plane of a patch may be from its triangles, with a margin.
-double flatness(const Mesh& mesh) { return 4.0 * mesh.surface.tolerance; }
-
 /// The reach of a search whose question is answered: it visits no more boxes but those around the centre itself.
 constexpr double settled = 0.0;
 
@@ -102,6 +99,8 @@ void find_candidates(const Mesh& mesh, const Vec3& centre, double reach, Candida
 }
 
 }  // namespace
+
+double flatness(const Mesh& mesh) { return 4.0 * mesh.surface.tolerance; }
 
 Mesh make_mesh(const std::vector<Corners>& triangles, const MeshPlacement& placement, double feature_angle) {
   Mesh mesh;

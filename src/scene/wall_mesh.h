@@ -12,9 +12,8 @@ namespace repose {
 
 /// A surface of triangles, felt from both sides. A touch is a place where the distance from the centre to the surface
 /// has a local minimum: a face that the centre projects onto, or an edge or a vertex when it projects onto nothing
-/// next to it. What is flat acts as one face (MeshFeatures), within a few surface.tolerance: a vertex very far away
-/// makes the whole mesh coarse, as its file has single precision. Of touches whose normals differ by less than the
-/// feature angle only the nearest counts: they stand for one smooth surface, however finely it is cut into facets.
+/// next to it. What is flat acts as one face (MeshFeatures). Of touches whose normals differ by less than the feature
+/// angle only the nearest counts: they stand for one smooth surface, however finely it is cut into facets.
 struct Mesh {
   TriangleMesh surface;
   MeshFeatures features;
@@ -36,6 +35,10 @@ struct MeshPlacement {
 /// A mesh from the triangles of a file; `feature_angle` in degrees, above 0. std::invalid_argument, saying what is
 /// wrong, when no triangle has an area or the placed mesh is smaller than 1e-6 m or reaches beyond 1e6 m.
 Mesh make_mesh(const std::vector<Corners>& triangles, const MeshPlacement& placement, double feature_angle);
+
+/// How far in m the plane of a flat patch may be from its triangles, with a margin. A vertex very far away makes the
+/// whole mesh coarse, as its file has single precision.
+double flatness(const Mesh& mesh);
 
 /// As those of the other shapes (wall_shapes.h).
 void find_touches(const Mesh& mesh, const Vec3& centre, double reach, int wall, TouchBuffer& out);

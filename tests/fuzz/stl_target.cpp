@@ -20,8 +20,7 @@ WallDeck mesh_wall() {
 void check_touches(const Wall& wall, const Vec3& centre) {
   const double d = distance(wall, centre);
   expect(std::isfinite(d), "a distance is finite");
-  const double flatness = 4.0 * std::get<Mesh>(wall.shape).surface.tolerance;  // a touch is that of a patch's plane
-  const double reach = 1.1 * d + 1e-3 + flatness;
+  const double reach = 1.1 * d + 1e-3 + flatness(std::get<Mesh>(wall.shape));  // a touch is that of a patch's plane
   expect(is_within(wall, centre, reach), "what is near is within reach");
   TouchBuffer touches;
   const int found = find_touches(wall, 0, centre, reach, touches);

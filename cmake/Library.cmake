@@ -28,9 +28,10 @@ if(REPOSE_FUZZ)
   target_link_options(repose_flags INTERFACE ${sanitize})
 endif()
 
-# repose_library(NAME SOURCES ... LINK ...): the library of one folder under src.
+# repose_library(NAME [SOURCES generated...] LINK ...): the library of one folder under src, of all its sources.
 function(repose_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
-  add_library(repose_${name} STATIC ${arg_SOURCES})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(repose_${name} STATIC ${sources} ${arg_SOURCES})
   target_link_libraries(repose_${name} PUBLIC repose_flags ${arg_LINK})
 endfunction()

@@ -13,10 +13,10 @@
 #include "contact/lanes.h"
 #include "deck/read_deck.h"
 #include "domain/ghost_exchange.h"
+#include "files/shared_file.h"
 #include "integration/velocity_verlet.h"
 #include "neighbours/pair_lists.h"
-#include "shared_file.h"
-#include "simulation.h"
+#include "simulation/simulation.h"
 
 namespace {
 

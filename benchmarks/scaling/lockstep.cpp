@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "deck/read_deck.h"
-#include "shared_file.h"
-#include "simulation.h"
+#include "files/shared_file.h"
+#include "simulation/simulation.h"
 #include "tool.h"
 
 namespace {

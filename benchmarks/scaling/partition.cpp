@@ -17,10 +17,10 @@
 #include "deck/read_deck.h"
 #include "domain/decomposition.h"
 #include "domain/ghost_exchange.h"
+#include "files/shared_file.h"
 #include "output/file_contents.h"
-#include "rank_load.h"
-#include "shared_file.h"
-#include "simulation.h"
+#include "simulation/rank_load.h"
+#include "simulation/simulation.h"
 #include "tool.h"
 
 namespace {

@@ -11,11 +11,11 @@
 #include "campaign/campaign.h"
 #include "campaign/estimate_report.h"
 #include "campaign/observables.h"
+#include "comm/agreement.h"
 #include "deck/calibration_deck.h"
-#include "output/agreement.h"
-#include "output/atomic_file.h"
-#include "output/directory.h"
-#include "shared_file.h"
+#include "files/atomic_file.h"
+#include "files/directory.h"
+#include "files/shared_file.h"
 
 namespace repose {
 namespace {

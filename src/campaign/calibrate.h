@@ -3,7 +3,7 @@
 #include <string>
 
 #include "comm/communicator.h"
-#include "run_file.h"
+#include "run/run_file.h"
 
 namespace repose {
 

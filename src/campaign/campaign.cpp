@@ -13,15 +13,15 @@
 #include "campaign/campaign_watch.h"
 #include "campaign/expected_cost.h"
 #include "campaign/rank_groups.h"
-#include "check.h"
+#include "comm/agreement.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
-#include "output/agreement.h"
-#include "output/directory.h"
-#include "output/directory_lock.h"
-#include "restart.h"
-#include "shared_file.h"
-#include "summary_figures.h"
+#include "files/directory.h"
+#include "files/directory_lock.h"
+#include "files/shared_file.h"
+#include "run/restart.h"
+#include "run/run_plan.h"
+#include "run/summary_figures.h"
 
 namespace repose {
 namespace {

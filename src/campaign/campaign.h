@@ -8,7 +8,7 @@
 #include "campaign/run_folder.h"
 #include "campaign/run_list.h"
 #include "comm/communicator.h"
-#include "run_file.h"
+#include "run/run_file.h"
 
 namespace repose {
 

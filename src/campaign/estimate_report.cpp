@@ -8,7 +8,7 @@
 
 #include "campaign/observables.h"
 #include "campaign/surface_json.h"
-#include "output/json_text.h"
+#include "files/json_text.h"
 
 namespace repose {
 namespace {

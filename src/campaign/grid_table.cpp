@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "output/atomic_file.h"
-#include "output/hdf5_file.h"
+#include "files/atomic_file.h"
+#include "files/hdf5_file.h"
 
 namespace repose {
 namespace {

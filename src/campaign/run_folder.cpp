@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "output/atomic_file.h"
-#include "output/directory.h"
-#include "output/json_text.h"
-#include "shared_file.h"
-#include "summary_figures.h"
+#include "files/atomic_file.h"
+#include "files/directory.h"
+#include "files/json_text.h"
+#include "files/shared_file.h"
+#include "run/summary_figures.h"
 
 namespace repose {
 namespace {

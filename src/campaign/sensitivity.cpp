@@ -10,12 +10,12 @@
 #include "calibration/one_at_a_time.h"
 #include "campaign/campaign.h"
 #include "campaign/observables.h"
+#include "comm/agreement.h"
 #include "deck/sensitivity_deck.h"
-#include "output/agreement.h"
-#include "output/atomic_file.h"
-#include "output/directory.h"
-#include "output/json_text.h"
-#include "shared_file.h"
+#include "files/atomic_file.h"
+#include "files/directory.h"
+#include "files/json_text.h"
+#include "files/shared_file.h"
 
 namespace repose {
 namespace {

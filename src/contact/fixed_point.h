@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "scene/particles.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/vec3.h"
-#include "scene/contact_memory.h"
+#include "scene/particles/contact_memory.h"
 
 namespace repose {
 

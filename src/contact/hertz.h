@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "contact/geometry.h"
-#include "scene/materials.h"
+#include "scene/particles/materials.h"
 
 namespace repose {
 

@@ -4,7 +4,7 @@
 #include "contact/fixed_point.h"
 #include "contact/geometry.h"
 #include "neighbours/contact_block.h"
-#include "scene/particles.h"
+#include "scene/particles/particles.h"
 
 // What the loops over pair and wall contacts share. They take the lanes of a block four at a time, in passes over the
 // whole block that hand their results on in columns. A pass ends where the next operation would wait for a root, a

@@ -1,7 +1,7 @@
 #include "contact/pair_loop.h"
 
 #include "contact/contact_law.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {

@@ -5,8 +5,8 @@
 #include "base/vector_level.h"
 #include "contact/contact_alarms.h"
 #include "neighbours/contact_block.h"
-#include "scene/materials.h"
-#include "scene/particles.h"
+#include "scene/particles/materials.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -8,11 +8,11 @@
 
 #include "base/vector_level.h"
 #include "contact/wall_loop.h"
-#include "scene/contact_memory.h"
-#include "scene/materials.h"
-#include "scene/particles.h"
-#include "scene/reach.h"
-#include "scene/wall.h"
+#include "scene/particles/contact_memory.h"
+#include "scene/particles/materials.h"
+#include "scene/particles/particles.h"
+#include "scene/particles/reach.h"
+#include "scene/walls/wall.h"
 
 namespace repose {
 

@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "contact/contact_law.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {

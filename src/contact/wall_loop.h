@@ -7,10 +7,10 @@
 #include "base/vector_level.h"
 #include "contact/contact_alarms.h"
 #include "neighbours/contact_block.h"
-#include "scene/contact_memory.h"
-#include "scene/materials.h"
-#include "scene/particles.h"
-#include "scene/wall.h"
+#include "scene/particles/contact_memory.h"
+#include "scene/particles/materials.h"
+#include "scene/particles/particles.h"
+#include "scene/walls/wall.h"
 
 namespace repose {
 

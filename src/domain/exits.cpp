@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "comm/communicator.h"
 #include "deck/deck.h"
-#include "scene/mass_unit.h"
-#include "scene/materials.h"
-#include "scene/particles.h"
+#include "scene/particles/mass_unit.h"
+#include "scene/particles/materials.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "comm/buffer.h"
-#include "scene/periodicity.h"
+#include "scene/particles/periodicity.h"
 
 namespace repose {
 namespace {

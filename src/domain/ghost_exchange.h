@@ -5,8 +5,8 @@
 
 #include "comm/communicator.h"
 #include "domain/decomposition.h"
-#include "scene/particles.h"
-#include "scene/reach.h"
+#include "scene/particles/particles.h"
+#include "scene/particles/reach.h"
 
 namespace repose {
 

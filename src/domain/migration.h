@@ -2,8 +2,8 @@
 
 #include "comm/communicator.h"
 #include "domain/decomposition.h"
-#include "scene/contact_memory.h"
-#include "scene/particles.h"
+#include "scene/particles/contact_memory.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "scene/insertion.h"
-#include "scene/motion.h"
-#include "scene/particles.h"
-#include "scene/reach.h"
+#include "scene/insertion/insertion.h"
+#include "scene/particles/particles.h"
+#include "scene/particles/reach.h"
+#include "scene/walls/motion.h"
 
 namespace repose {
 

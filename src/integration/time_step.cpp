@@ -8,9 +8,9 @@
 
 #include "base/error.h"
 #include "base/math.h"
-#include "scene/motion.h"
-#include "scene/region.h"
-#include "scene/sphere.h"
+#include "scene/insertion/region.h"
+#include "scene/particles/sphere_mass.h"
+#include "scene/walls/motion.h"
 
 namespace repose {
 namespace {

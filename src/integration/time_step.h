@@ -5,8 +5,8 @@
 #include <string>
 
 #include "deck/deck.h"
-#include "scene/insertion.h"
-#include "scene/materials.h"
+#include "scene/insertion/insertion.h"
+#include "scene/particles/materials.h"
 
 namespace repose {
 

@@ -6,8 +6,8 @@
 
 #include "base/quad.h"
 #include "deck/deck.h"
-#include "scene/materials.h"
-#include "scene/sphere.h"
+#include "scene/particles/materials.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "base/vector_level.h"
-#include "scene/particles.h"
-#include "scene/reach.h"
+#include "scene/particles/particles.h"
+#include "scene/particles/reach.h"
 
 namespace repose {
 

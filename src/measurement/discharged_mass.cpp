@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {

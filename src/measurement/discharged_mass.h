@@ -2,9 +2,9 @@
 
 #include "comm/communicator.h"
 #include "domain/exits.h"
-#include "scene/mass_unit.h"
-#include "scene/materials.h"
-#include "scene/particles.h"
+#include "scene/particles/mass_unit.h"
+#include "scene/particles/materials.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

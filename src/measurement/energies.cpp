@@ -4,7 +4,7 @@
 
 #include "comm/order_independent_sum.h"
 #include "contact/general_law.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {

@@ -6,8 +6,8 @@
 #include "comm/communicator.h"
 #include "contact/wall_contacts.h"
 #include "neighbours/pair_lists.h"
-#include "scene/materials.h"
-#include "scene/particles.h"
+#include "scene/particles/materials.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -5,7 +5,7 @@
 #include "comm/communicator.h"
 #include "contact/wall_contacts.h"
 #include "neighbours/pair_lists.h"
-#include "scene/particles.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "measurement/clusters.h"
-#include "scene/wall_shapes.h"
+#include "scene/walls/wall_shapes.h"
 
 namespace repose {
 namespace {

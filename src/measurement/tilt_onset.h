@@ -4,7 +4,7 @@
 
 #include "comm/communicator.h"
 #include "deck/deck.h"
-#include "scene/particles.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "base/csr.h"
-#include "scene/contact_memory.h"
+#include "scene/particles/contact_memory.h"
 
 namespace repose {
 

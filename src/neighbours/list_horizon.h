@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "scene/particles.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/particles.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -6,9 +6,9 @@
 
 #include "neighbours/contact_block.h"
 #include "neighbours/near_pairs.h"
-#include "scene/contact_memory.h"
-#include "scene/particles.h"
-#include "scene/reach.h"
+#include "scene/particles/contact_memory.h"
+#include "scene/particles/particles.h"
+#include "scene/particles/reach.h"
 
 namespace repose {
 

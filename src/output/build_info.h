@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace repose {
 
 /// Where a result comes from: the program, how it was compiled, the libraries that it runs with.
@@ -22,6 +24,8 @@ BuildInfo build_info(const std::string& vector_level);
 
 /// The members as (name, text), in the order above.
 std::vector<std::pair<std::string, std::string>> build_fields(const BuildInfo& build);
+
+nlohmann::ordered_json json_of(const BuildInfo& build);
 
 /// What `repose --version` prints: "repose <version>" and a line per further field.
 std::string version_text(const std::string& vector_level);

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "output/hdf5_file.h"
+#include "files/hdf5_file.h"
 #include "output/vector_rows.h"
 
 namespace repose {

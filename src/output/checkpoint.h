@@ -5,8 +5,8 @@
 
 #include "comm/communicator.h"
 #include "output/build_info.h"
-#include "scene/contact_memory.h"
-#include "scene/particles.h"
+#include "scene/particles/contact_memory.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "output/agreement.h"
-#include "output/file_seal.h"
-#include "output/hdf5_reader.h"
+#include "comm/agreement.h"
+#include "files/file_seal.h"
+#include "files/hdf5_reader.h"
 #include "output/vector_rows.h"
 
 namespace repose {

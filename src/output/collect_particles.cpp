@@ -4,7 +4,7 @@
 
 #include "comm/buffer.h"
 #include "output/vector_rows.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {

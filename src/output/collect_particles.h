@@ -2,8 +2,8 @@
 
 #include "comm/communicator.h"
 #include "output/particle_table.h"
-#include "scene/materials.h"
-#include "scene/particles.h"
+#include "scene/particles/materials.h"
+#include "scene/particles/particles.h"
 
 namespace repose {
 

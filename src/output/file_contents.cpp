@@ -8,9 +8,9 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "files/file_seal.h"
+#include "files/hdf5_reader.h"
 #include "output/checkpoint.h"
-#include "output/file_seal.h"
-#include "output/hdf5_reader.h"
 #include "output/snapshot_reader.h"
 
 namespace repose {

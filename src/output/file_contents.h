@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "output/build_info.h"
-#include "scene/new_particles.h"
+#include "scene/insertion/new_particles.h"
 
 namespace repose {
 

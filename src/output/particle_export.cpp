@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "output/csv_file.h"
+#include "files/csv_file.h"
 #include "output/vector_rows.h"
 
 namespace repose {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "output/agreement.h"
-#include "output/hdf5_file.h"
+#include "comm/agreement.h"
+#include "files/hdf5_file.h"
 
 namespace repose {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "output/file_seal.h"
-#include "output/hdf5_reader.h"
+#include "files/file_seal.h"
+#include "files/hdf5_reader.h"
 #include "output/vector_rows.h"
 
 namespace repose {

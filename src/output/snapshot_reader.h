@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "deck/deck.h"
-#include "scene/new_particles.h"
+#include "scene/insertion/new_particles.h"
 
 namespace repose {
 

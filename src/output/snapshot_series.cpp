@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "output/atomic_file.h"
+#include "files/atomic_file.h"
 
 namespace repose {
 

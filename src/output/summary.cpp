@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "output/atomic_file.h"
-#include "output/json_text.h"
+#include "files/atomic_file.h"
+#include "files/json_text.h"
 
 namespace repose {
 

@@ -7,7 +7,7 @@
 
 #include "measurement/scattering.h"
 #include "output/build_info.h"
-#include "scene/size_report.h"
+#include "scene/sizes/size_report.h"
 
 namespace repose {
 

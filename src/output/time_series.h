@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "output/csv_file.h"
+#include "files/csv_file.h"
 
 namespace repose {
 

@@ -7,7 +7,7 @@
 
 #include "base/vec3.h"
 #include "comm/communicator.h"
-#include "output/csv_file.h"
+#include "files/csv_file.h"
 #include "output/particle_table.h"
 
 namespace repose {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 #include "support/scenes.h"
 
 namespace repose::test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "integration/time_step.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 #include "support/contact_options.h"
 #include "support/scenes.h"
 

@@ -1,8 +1,8 @@
 // A deck, and after it lines "--set key=value".
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
-#include "scene/materials.h"
-#include "scene/wall.h"
+#include "scene/particles/materials.h"
+#include "scene/walls/wall.h"
 #include "target.h"
 
 namespace repose::fuzz {

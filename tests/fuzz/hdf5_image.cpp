@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "output/hdf5_handle.h"
+#include "files/hdf5_handle.h"
 
 namespace repose::fuzz {
 

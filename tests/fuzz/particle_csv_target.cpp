@@ -1,6 +1,6 @@
 // A list of particles.
 #include "particle_promises.h"
-#include "scene/particle_csv.h"
+#include "scene/insertion/particle_csv.h"
 
 namespace repose::fuzz {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "deck/deck.h"
-#include "scene/new_particles.h"
+#include "scene/insertion/new_particles.h"
 #include "target.h"
 
 namespace repose::fuzz {

@@ -1,8 +1,8 @@
 // A sieve or laser analysis.
 #include <cmath>
 
-#include "scene/size_csv.h"
-#include "scene/size_distribution.h"
+#include "scene/sizes/size_csv.h"
+#include "scene/sizes/size_distribution.h"
 #include "target.h"
 
 namespace repose::fuzz {

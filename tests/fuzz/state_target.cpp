@@ -6,7 +6,7 @@
 #include "measurement/tilt_onset.h"
 #include "output/state_json.h"
 #include "output/summary.h"
-#include "scene/motion.h"
+#include "scene/walls/motion.h"
 #include "target.h"
 
 namespace repose::fuzz {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <variant>
 
-#include "scene/wall.h"
+#include "scene/walls/wall.h"
 #include "target.h"
 
 namespace repose::fuzz {

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "target.h"
-#include "thermal/compare_tool.h"
-#include "thermal/tps_tool.h"
+#include "thermal/tools/compare_tool.h"
+#include "thermal/tools/tps_tool.h"
 
 namespace repose::fuzz {
 namespace {

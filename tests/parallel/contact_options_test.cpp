@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "deck/read_deck.h"
+#include "files/shared_file.h"
 #include "measurement/state_hash.h"
-#include "shared_file.h"
-#include "simulation.h"
+#include "simulation/simulation.h"
 
 namespace repose::test {
 namespace {

@@ -7,8 +7,8 @@
 #include "deck/read_deck.h"
 #include "measurement/state_hash.h"
 #include "measurement/wall_loads.h"
-#include "phases.h"
-#include "simulation.h"
+#include "run/phases.h"
+#include "simulation/simulation.h"
 
 namespace repose::test {
 namespace {

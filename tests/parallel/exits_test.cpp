@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "measurement/discharged_mass.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 #include "simulation_counts.h"
 #include "support/scenes.h"
 

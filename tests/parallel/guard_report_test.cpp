@@ -8,7 +8,7 @@
 #include "../unit/output_samples.h"
 #include "base/error.h"
 #include "output/snapshot_reader.h"
-#include "run.h"
+#include "run/run.h"
 #include "support/scenes.h"
 
 namespace repose::test {

@@ -6,7 +6,7 @@
 
 #include "contact/hertz.h"
 #include "guard_samples.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose::test {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "base/error.h"
 #include "measurement/state_hash.h"
-#include "phases.h"
-#include "scene/sphere.h"
-#include "simulation.h"
+#include "run/phases.h"
+#include "scene/particles/sphere_mass.h"
+#include "simulation/simulation.h"
 #include "support/scenes.h"
 
 namespace repose {

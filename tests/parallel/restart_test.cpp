@@ -8,11 +8,11 @@
 
 #include "../unit/output_samples.h"
 #include "base/error.h"
-#include "checkpoints.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
-#include "output/directory_lock.h"
-#include "run.h"
+#include "files/directory_lock.h"
+#include "run/checkpoints.h"
+#include "run/run.h"
 
 namespace repose::test {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "../unit/output_samples.h"
 #include "base/error.h"
-#include "output/agreement.h"
-#include "run.h"
+#include "comm/agreement.h"
+#include "run/run.h"
 #include "support/scenes.h"
 
 namespace repose::test {

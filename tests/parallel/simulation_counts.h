@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "measurement/state_hash.h"
-#include "simulation.h"
+#include "simulation/simulation.h"
 
 namespace repose::test {
 

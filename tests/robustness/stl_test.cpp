@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/wall.h"
+#include "scene/walls/wall.h"
 #include "support/meshes.h"
 
 namespace repose::test {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/contact_law.h"
-#include "scene/contact_memory.h"
+#include "scene/particles/contact_memory.h"
 
 // The contact law for one contact, in the order in which docs/theory.md tells it.
 

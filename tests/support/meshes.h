@@ -11,7 +11,7 @@
 
 #include "base/math.h"
 #include "deck/deck.h"
-#include "scene/triangle.h"
+#include "scene/walls/triangle.h"
 #include "support/draw.h"
 
 /// Meshes of simple bodies and their STL files.

@@ -6,7 +6,7 @@
 
 #include "comm/communicator.h"
 #include "deck/deck.h"
-#include "simulation.h"
+#include "simulation/simulation.h"
 
 namespace repose::test {
 

@@ -8,7 +8,7 @@
 
 #include "campaign/observables.h"
 #include "campaign/run_folder.h"
-#include "summary_figures.h"
+#include "run/summary_figures.h"
 
 namespace repose::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "contact_samples.h"
-#include "scene/damping.h"
+#include "scene/particles/damping.h"
 
 namespace repose::test {
 namespace {

@@ -7,7 +7,7 @@
 #include "contact/pair_loop.h"
 #include "integration/velocity_verlet.h"
 #include "neighbours/pair_lists.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 #include "support/contact_law.h"
 #include "support/draw.h"
 #include "support/fixed_point_sum.h"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/damping.h"
-#include "scene/materials.h"
+#include "scene/particles/damping.h"
+#include "scene/particles/materials.h"
 
 namespace repose::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "contact/wall_contacts.h"
 #include "domain/exits.h"
 #include "integration/velocity_verlet.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 #include "support/contact_law.h"
 #include "support/contact_options.h"
 #include "support/draw.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "command_line.h"
+#include "commands/command_line.h"
 
 namespace repose {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "domain/exits.h"
 #include "domain/morton.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 #include "support/draw.h"
 
 namespace repose::test {

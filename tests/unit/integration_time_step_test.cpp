@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "integration/time_step.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose::test {
 namespace {

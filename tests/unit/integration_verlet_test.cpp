@@ -7,8 +7,8 @@
 
 #include "deck/deck.h"
 #include "integration/velocity_verlet.h"
-#include "scene/materials.h"
-#include "scene/sphere.h"
+#include "scene/particles/materials.h"
+#include "scene/particles/sphere_mass.h"
 #include "support/draw.h"
 #include "support/fixed_point_sum.h"
 #include "support/levels.h"

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include "measurement/draw.h"
-#include "measurement/draw_top_view.h"
 #include "measurement_piles.h"
+#include "pictures/silhouette_picture.h"
+#include "pictures/top_view_picture.h"
 
 namespace repose {
 namespace {

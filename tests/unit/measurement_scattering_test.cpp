@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "measurement/draw_top_view.h"
 #include "measurement/scattering.h"
 #include "measurement_piles.h"
+#include "pictures/top_view_picture.h"
 
 namespace repose {
 namespace {

@@ -4,8 +4,8 @@
 #include <sys/resource.h>
 
 #include "base/error.h"
-#include "output/agreement.h"
-#include "output/file_seal.h"
+#include "comm/agreement.h"
+#include "files/file_seal.h"
 #include "output/snapshot.h"
 #include "output/snapshot_reader.h"
 #include "output_samples.h"

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "output/atomic_file.h"
-#include "output/directory.h"
+#include "files/atomic_file.h"
+#include "files/directory.h"
 #include "output/progress.h"
 #include "output/snapshot_series.h"
 #include "output/summary.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/particle_csv.h"
+#include "scene/insertion/particle_csv.h"
 
 namespace repose {
 namespace {

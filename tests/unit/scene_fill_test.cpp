@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/fill.h"
-#include "scene/overlap.h"
-#include "scene/sphere.h"
+#include "scene/insertion/fill.h"
+#include "scene/insertion/overlap.h"
+#include "scene/particles/sphere_mass.h"
 #include "scene_walls.h"
 
 namespace repose {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/insertion.h"
-#include "scene/sphere.h"
+#include "scene/insertion/insertion.h"
+#include "scene/particles/sphere_mass.h"
 #include "scene_walls.h"
 
 namespace repose {

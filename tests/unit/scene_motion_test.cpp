@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/math.h"
-#include "scene/motion.h"
-#include "scene/wall.h"
+#include "scene/walls/motion.h"
+#include "scene/walls/wall.h"
 
 namespace repose {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/overlap.h"
+#include "scene/insertion/overlap.h"
 #include "scene_samples.h"
 
 namespace repose {

@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "deck/deck.h"
-#include "scene/periodic_walls.h"
-#include "scene/periodicity.h"
+#include "scene/particles/periodicity.h"
+#include "scene/walls/periodic_walls.h"
 #include "scene_samples.h"
 
 namespace repose {

@@ -5,10 +5,10 @@
 
 #include "base/error.h"
 #include "base/math.h"
-#include "scene/lattice.h"
-#include "scene/overlap.h"
-#include "scene/random_fill.h"
-#include "scene/region.h"
+#include "scene/insertion/lattice.h"
+#include "scene/insertion/overlap.h"
+#include "scene/insertion/random_fill.h"
+#include "scene/insertion/region.h"
 #include "scene_walls.h"
 
 namespace repose {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/size_csv.h"
+#include "scene/sizes/size_csv.h"
 
 namespace repose {
 namespace {

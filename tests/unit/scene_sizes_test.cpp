@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/grain_sizes.h"
-#include "scene/size_distribution.h"
-#include "scene/size_report.h"
-#include "scene/sphere.h"
+#include "scene/insertion/grain_sizes.h"
+#include "scene/particles/sphere_mass.h"
+#include "scene/sizes/size_distribution.h"
+#include "scene/sizes/size_report.h"
 
 namespace repose {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/stl.h"
-#include "scene/triangle_mesh.h"
+#include "scene/walls/stl.h"
+#include "scene/walls/triangle_mesh.h"
 #include "support/meshes.h"
 
 namespace repose::test {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "scene/wall.h"
+#include "scene/walls/wall.h"
 
 /// Walls for the tests, of the material 0.
 namespace repose {

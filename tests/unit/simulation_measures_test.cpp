@@ -6,7 +6,7 @@
 #include "domain/exits.h"
 #include "measurement/discharged_mass.h"
 #include "measurement/energies.h"
-#include "scene/sphere.h"
+#include "scene/particles/sphere_mass.h"
 #include "support/scenes.h"
 
 namespace repose::test {

@@ -5,9 +5,9 @@
 
 #include "base/error.h"
 #include "base/math.h"
-#include "thermal/air.h"
-#include "thermal/bed_conductivity.h"
-#include "thermal/bed_tool.h"
+#include "thermal/beds/air.h"
+#include "thermal/beds/bed_conductivity.h"
+#include "thermal/tools/bed_tool.h"
 #include "thermal_files.h"
 
 namespace repose::thermal {

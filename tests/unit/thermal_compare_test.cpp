@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/philox.h"
-#include "thermal/compare_tool.h"
 #include "thermal/equivalence.h"
+#include "thermal/tools/compare_tool.h"
 #include "thermal_files.h"
 
 namespace repose::thermal {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "thermal/tps_criteria.h"
-#include "thermal/tps_tool.h"
+#include "thermal/plane_source/tps_criteria.h"
+#include "thermal/tools/tps_tool.h"
 #include "thermal_files.h"
 #include "thermal_samples.h"
 

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "thermal/air.h"
-#include "thermal/mixture.h"
-#include "thermal/mixture_tool.h"
+#include "thermal/beds/air.h"
+#include "thermal/beds/mixture.h"
+#include "thermal/tools/mixture_tool.h"
 #include "thermal_files.h"
 
 namespace repose::thermal {

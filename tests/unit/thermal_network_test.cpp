@@ -5,11 +5,11 @@
 
 #include "base/math.h"
 #include "base/philox.h"
-#include "thermal/air.h"
-#include "thermal/bed_conductivity.h"
-#include "thermal/gap_conductance.h"
-#include "thermal/network.h"
-#include "thermal/network_tool.h"
+#include "thermal/beds/air.h"
+#include "thermal/beds/bed_conductivity.h"
+#include "thermal/beds/gap_conductance.h"
+#include "thermal/beds/network.h"
+#include "thermal/tools/network_tool.h"
 #include "thermal_files.h"
 
 namespace repose::thermal {

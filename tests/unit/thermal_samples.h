@@ -1,7 +1,7 @@
 #pragma once
 
-#include "thermal/synthetic_transient.h"
-#include "thermal/tps_criteria.h"
+#include "thermal/plane_source/synthetic_transient.h"
+#include "thermal/plane_source/tps_criteria.h"
 
 /// The two samples of thesis section 5.2.1 as they are measured.
 namespace repose::thermal {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/philox.h"
-#include "thermal/sensor_correction.h"
-#include "thermal/sensor_tool.h"
+#include "thermal/plane_source/sensor_correction.h"
+#include "thermal/tools/sensor_tool.h"
 #include "thermal_files.h"
 
 namespace repose::thermal {

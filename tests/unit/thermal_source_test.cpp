@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "base/math.h"
-#include "thermal/source_function.h"
+#include "thermal/plane_source/source_function.h"
+#include "thermal/plane_source/synthetic_transient.h"
 #include "thermal/student.h"
-#include "thermal/synthetic_transient.h"
 #include "thermal_samples.h"
 
 namespace repose::thermal {

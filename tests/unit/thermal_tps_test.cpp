@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "thermal/source_function.h"
-#include "thermal/tps_fit.h"
+#include "thermal/plane_source/source_function.h"
+#include "thermal/plane_source/tps_fit.h"
 #include "thermal_files.h"
 #include "thermal_samples.h"
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "thermal/tps_tool.h"
-#include "thermal/transient.h"
+#include "thermal/plane_source/transient.h"
+#include "thermal/tools/tps_tool.h"
 #include "thermal_files.h"
 
 namespace repose::thermal {

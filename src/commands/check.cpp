@@ -1,0 +1,64 @@
+#include "commands/check.h"
+
+#include <fmt/format.h>
+
+#include "integration/time_step.h"
+#include "output/progress.h"
+#include "run/phases.h"
+#include "run/run_plan.h"
+
+namespace repose {
+namespace {
+
+// Rough figures for the estimates: what the quick and the mini discharge took on one core of 2021.
+constexpr double bytes_per_particle = 1000.0;
+constexpr double bytes_per_rank = 60e6;  // the program and its libraries
+constexpr double particle_steps_per_second_and_rank = 8e6;
+
+std::string limits_text(const Deck& deck, const TimeStep& dt) {
+  if (deck.contact.normal_law == NormalLaw::hooke) {
+    return fmt::format("limits      {:.4g} s Hooke ({:.0f} %)\n", dt.hooke_limit, 100.0 * deck.time.hooke_fraction);
+  }
+  return fmt::format("limits      {:.4g} s Rayleigh ({:.0f} %), {:.4g} s Hertz ({:.0f} %, at {:.3g} m/s)\n",
+                     dt.rayleigh_limit, 100.0 * deck.time.rayleigh_fraction, dt.hertz_limit,
+                     100.0 * deck.time.hertz_fraction, dt.speed);
+}
+
+}  // namespace
+
+std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks) {
+  const RunPlan plan(deck, read_file);
+  const auto& [materials, walls, insertion, dt] = plan;
+  const auto count = static_cast<double>(insertion.planned);
+
+  std::string report =
+      fmt::format("particles   {} ({:.6g} kg)\n", insertion.planned, planned_mass(insertion, materials));
+  for (const Pour& pour : insertion.pours) {
+    report += fmt::format("pour        {} particles from {:.4g} to {:.4g} s, every {:.3g} s\n", pour.size(),
+                          pour.deck.start_time, pour.due_time.back(), pour.interval);
+  }
+  for (const SizeReport& sizes : insertion.sizes) report += size_report_text(sizes);
+  for (const Wall& wall : walls) {
+    if (const auto* mesh = std::get_if<Mesh>(&wall.shape)) {
+      report += fmt::format("mesh        {}: {}\n", wall.name, describe(*mesh));
+    }
+  }
+  report += fmt::format("time step   {:.6g} s, {}\n", dt.step,
+                        dt.criterion == "given" ? "given in the deck" : "set by the " + dt.criterion + " criterion");
+  report += limits_text(deck, dt);
+  const double steps = most_steps(deck, dt);
+  for (const PhaseDeck& phase : deck.phases) {
+    const auto longest = static_cast<double>(longest_steps(phase, dt.step));
+    const bool open_end = phase.until == PhaseUntil::kinetic_energy;
+    report += fmt::format("phase       {}: {}{:.0f} steps ({:.4g} s)\n", phase.name, open_end ? "at most " : "",
+                          longest, longest * dt.step);
+  }
+  report += fmt::format("steps       {:.0f}\n", steps);
+  report += fmt::format("memory      about {:.0f} MB\n", 1e-6 * (count * bytes_per_particle + ranks * bytes_per_rank));
+  report += fmt::format("wall time   about {} on {} rank{}, if every phase takes its longest\n",
+                        duration_text(count * steps / (particle_steps_per_second_and_rank * ranks)), ranks,
+                        ranks == 1 ? "" : "s");
+  return report;
+}
+
+}  // namespace repose

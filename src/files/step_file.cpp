@@ -1,0 +1,21 @@
+#include "files/step_file.h"
+
+#include <charconv>
+
+#include <fmt/format.h>
+
+namespace repose {
+
+std::string file_of_step(std::string_view prefix, std::int64_t step) {
+  return fmt::format("{}{:010d}.hdf", prefix, step);
+}
+
+std::optional<std::int64_t> step_of_file(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) return {};
+  std::int64_t step = 0;
+  std::from_chars(name.data() + prefix.size(), name.data() + name.size(), step);
+  if (name != file_of_step(prefix, step)) return {};
+  return step;
+}
+
+}  // namespace repose

@@ -1,0 +1,31 @@
+#include "pictures/picture_parts.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pictures/bitmap_font.h"
+
+namespace repose {
+namespace {
+
+double scale_bar_length(double most) {
+  const double decade = std::pow(10.0, std::floor(std::log10(most)));
+  return decade * (most >= 5.0 * decade ? 5.0 : most >= 2.0 * decade ? 2.0 : 1.0);
+}
+
+}  // namespace
+
+double text_width(const std::string& text, int scale) {
+  return static_cast<double>(scale) * (static_cast<double>(text.size() * (glyph_width + 1)) - 1.0);
+}
+
+void draw_scale_bar(Canvas& canvas, Pixel at, double pixels_per_metre) {
+  const double length = scale_bar_length(0.2 * static_cast<double>(canvas.width()) / pixels_per_metre);
+  const double end = at.x + length * pixels_per_metre;
+  canvas.line(at, {end, at.y}, 2.0, ink);
+  for (const double x : {at.x, end}) canvas.line({x, at.y - 7.0}, {x, at.y + 7.0}, 2.0, ink);
+  canvas.text({end + 16.0, at.y - 7.0}, fmt::format("{:g} mm", 1e3 * length), small, ink);
+}
+
+}  // namespace repose

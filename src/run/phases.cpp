@@ -1,0 +1,52 @@
+#include "run/phases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "measurement/energies.h"
+
+namespace repose {
+
+std::int64_t steps_for(double time, double timestep) {
+  return std::max<std::int64_t>(0, static_cast<std::int64_t>(std::rint(time / timestep)));
+}
+
+std::int64_t longest_steps(const PhaseDeck& phase, double timestep) {
+  std::int64_t longest = std::numeric_limits<std::int64_t>::max();
+  if (!std::isnan(phase.max_time)) longest = steps_for(phase.max_time, timestep);
+  if (phase.until == PhaseUntil::time) longest = std::min(longest, steps_for(phase.time, timestep));
+  if (phase.until == PhaseUntil::steps) longest = std::min(longest, phase.steps);
+  return longest;
+}
+
+Phase::Phase(const PhaseDeck& deck, Simulation& simulation) : Phase(deck, simulation, simulation.steps()) {
+  for (const std::string& wall : deck.remove_walls) simulation.set_wall_present(wall, false);
+  for (const std::string& wall : deck.add_walls) simulation.set_wall_present(wall, true);
+}
+
+Phase::Phase(const PhaseDeck& deck, Simulation& simulation, std::int64_t first_step)
+    : deck_(deck),
+      first_step_(first_step),
+      least_(steps_for(deck.min_time, simulation.time_step().step)),
+      longest_(longest_steps(deck, simulation.time_step().step)) {
+  simulation.begin_phase(deck.name);
+}
+
+std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::int64_t check_every,
+                                           bool onset_seen) const {
+  const std::int64_t done = steps_done(simulation);
+  const bool is_asked = done >= least_ && simulation.steps() % check_every == 0 && !simulation.awaits_particles();
+  if (deck_.until == PhaseUntil::kinetic_energy && is_asked) {
+    const double mean = mean_kinetic_energy(simulation.comm(), simulation.materials(), simulation.particles());
+    if (mean < deck_.kinetic_energy) return "kinetic_energy";
+  }
+  if (deck_.until == PhaseUntil::tilt_onset && onset_seen) return "tilt_onset";
+  if (done < longest_) return {};
+  const double dt = simulation.time_step().step;
+  if (deck_.until == PhaseUntil::time && steps_for(deck_.time, dt) <= done) return "time";
+  if (deck_.until == PhaseUntil::steps && deck_.steps <= done) return "steps";
+  return "max_time";
+}
+
+}  // namespace repose

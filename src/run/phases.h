@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "deck/deck.h"
+#include "simulation/simulation.h"
+
+namespace repose {
+
+/// Number of steps that cover `time` s, rounded to the nearest.
+std::int64_t steps_for(double time, double timestep);
+
+/// The longest a phase can take, in steps.
+std::int64_t longest_steps(const PhaseDeck& phase, double timestep);
+
+/// One phase of a run: changes the walls at its start and says when it is over.
+class Phase {
+ public:
+  /// Collective. Adds and removes the phase's walls and starts its motions.
+  Phase(const PhaseDeck& deck, Simulation& simulation);
+  /// Collective. Goes on with a phase that began at `first_step`.
+  Phase(const PhaseDeck& deck, Simulation& simulation, std::int64_t first_step);
+
+  /// Collective. Empty while the phase goes on; else the condition that ended it: "kinetic_energy", "time", "steps",
+  /// "tilt_onset" or "max_time". Energies are looked at every `check_every` steps, but not while particles are poured;
+  /// whether the onset of motion has been seen the caller knows.
+  std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every,
+                                      bool onset_seen = false) const;
+
+  std::int64_t first_step() const { return first_step_; }
+  std::int64_t steps_done(const Simulation& simulation) const { return simulation.steps() - first_step_; }
+  std::int64_t steps_left(const Simulation& simulation) const { return longest_ - steps_done(simulation); }
+  const PhaseDeck& deck() const { return deck_; }
+
+ private:
+  const PhaseDeck& deck_;
+  std::int64_t first_step_;
+  std::int64_t least_;    ///< steps before any condition counts
+  std::int64_t longest_;  ///< steps after which the phase ends anyway
+};
+
+}  // namespace repose

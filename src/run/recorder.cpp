@@ -1,0 +1,292 @@
+#include "run/recorder.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/wall_clock.h"
+#include "comm/agreement.h"
+#include "files/atomic_file.h"
+#include "files/directory.h"
+#include "files/step_file.h"
+#include "measurement/discharged_mass.h"
+#include "measurement/energies.h"
+#include "measurement/state_hash.h"
+#include "output/collect_particles.h"
+#include "output/progress.h"
+#include "output/snapshot.h"
+#include "run/cost.h"
+#include "run/incline.h"
+#include "run/pile_measurement.h"
+
+namespace repose {
+namespace {
+
+/// The last column is followed by one for each named exit.
+const std::vector<std::string> series_columns = {"step",
+                                                 "time_s",
+                                                 "phase",
+                                                 "particles",
+                                                 "pair_contacts",
+                                                 "wall_contacts",
+                                                 "translational_energy_J",
+                                                 "rotational_energy_J",
+                                                 "gravitational_energy_J",
+                                                 "elastic_energy_J",
+                                                 "discharged_mass_kg"};
+
+std::vector<std::string> columns_of(const Deck& deck) {
+  std::vector<std::string> columns = series_columns;
+  for (const ExitDeck& exit : deck.exits) columns.push_back(fmt::format("exit_{}_kg", exit.name));
+  return columns;
+}
+
+double discharged_mass_of(const Simulation& simulation) {
+  return discharged_mass(simulation.comm(), simulation.deck().discharge.orifice_height, simulation.materials(),
+                         simulation.mass_unit(), simulation.particles(), simulation.left_here());
+}
+
+std::int64_t every(double interval, double timestep) {
+  return interval > 0.0 ? std::max<std::int64_t>(1, steps_for(interval, timestep)) : 0;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Simulation& simulation, const OutputOptions& options, Existing existing)
+    : options_(options),
+      series_every_(every(simulation.deck().output.series_interval, simulation.time_step().step)),
+      snapshot_every_(every(simulation.deck().output.snapshot_interval, simulation.time_step().step)),
+      snapshots_(options.directory + "/run.hdf.series"),
+      start_(WallClock::now()),
+      last_progress_(start_) {
+  const Deck& deck = simulation.deck();
+  const double dt = simulation.time_step().step;
+  total_steps_ = std::accumulate(deck.phases.begin(), deck.phases.end(), std::int64_t{0},
+                                 [&](std::int64_t sum, const PhaseDeck& p) { return sum + longest_steps(p, dt); });
+  for (const double t : deck.output.snapshot_times) snapshot_steps_.push_back(steps_for(t, dt));
+  const auto opening =
+      std::find_if(deck.phases.begin(), deck.phases.end(), [](const PhaseDeck& p) { return !p.remove_walls.empty(); });
+  opening_phase_ = opening == deck.phases.end() ? deck.phases.front().name : opening->name;
+  agree_after_root(simulation.comm(), [&] {
+    if (existing == Existing::replace) remove_earlier_results();
+    write_text_file(path("deck.resolved.toml"), options_.resolved_deck);
+    series_ = std::make_unique<TimeSeries>(path("series.csv"), columns_of(deck), existing);
+    if (deck.output.trace) trace_ = std::make_unique<Trace>(path("trace.csv"), existing);
+  });
+  if (!deck.walls.empty()) wall_loads_.emplace(simulation, path("walls.csv"), existing);
+  if (deck.surface_angle.enabled) surface_angle_.emplace(simulation, path("surface_angle.csv"), existing);
+  if (deck.tilt_onset.enabled) tilt_onset_.emplace(deck.tilt_onset);
+  inside_ = inside(simulation);
+  if (deck.output.trace && existing == Existing::replace) write_trace(simulation);
+}
+
+std::int64_t Recorder::inside(const Simulation& simulation) const {
+  const auto& left = simulation.left_here().particles;
+  const Particles& particles = simulation.particles();
+  std::array<std::int64_t, 2> count = {0, std::accumulate(left.begin(), left.end(), std::int64_t{0})};
+  for (std::size_t i = 0; i < particles.owned; ++i) count[0] += is_parked(particles.record[i]) ? 0 : 1;
+  simulation.comm().sum_elements(std::span(count.begin(), count.end()));
+  if (count[0] + count[1] != simulation.inserted()) {
+    throw PhysicsError(
+        fmt::format("step {}: {} particles were inserted, but {} are inside and {} have left: some were lost",
+                    simulation.steps(), simulation.inserted(), count[0], count[1]));
+  }
+  return count[0];
+}
+
+void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
+  if (!opened_ && phase.deck().name == opening_phase_) {
+    opened_ = true;
+    sample_discharge(simulation);
+  }
+  if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
+  if (tilt_onset_) sample_tilt_onset(simulation, *tilt_onset_);
+}
+
+Recorder::Due Recorder::due_at(std::int64_t step, const Deck& deck) const {
+  return {.trace = deck.output.trace && step % deck.output.trace_every == 0,
+          .check = step % deck.run.check_every == 0,
+          .series = series_every_ > 0 && step % series_every_ == 0,
+          .snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) ||
+                      std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end(),
+          .surface_angle = surface_angle_ && surface_angle_->is_due(step)};
+}
+
+std::int64_t Recorder::steps_to_next(const Simulation& simulation) const {
+  std::int64_t steps = 1;
+  while (!due_at(simulation.steps() + steps, simulation.deck()).anything()) ++steps;
+  return steps;
+}
+
+void Recorder::steps_done(const Simulation& simulation, const Phase& phase) {
+  const std::int64_t step = simulation.steps();
+  const Due due = due_at(step, simulation.deck());
+  particle_steps_ += static_cast<double>((step - counted_steps_) * inside_);
+  counted_steps_ = step;
+  if (due.anything()) simulation.check_guards();  // no bad state gets into a file
+  if (due.trace) write_trace(simulation);
+  if (due.check) {
+    inside_ = inside(simulation);
+    if (opened_) sample_discharge(simulation);
+    if (tilt_onset_) sample_tilt_onset(simulation, *tilt_onset_);
+    report_progress(simulation, phase);
+  }
+  if (due.series) write_series_row(simulation, phase.deck().name);
+  if (due.surface_angle) surface_angle_->sample(simulation);
+  if (due.snapshot) write_snapshot_now(simulation);
+}
+
+void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, const std::string& ended_by) {
+  settled_steps_ += longest_steps(phase.deck(), simulation.time_step().step);
+  phases_.push_back({phase.deck().name, phase.steps_done(simulation), ended_by});
+  if (opened_) sample_discharge(simulation);
+  if (simulation.comm().is_root()) {
+    options_.log.say(fmt::format("phase {} ended by {} at {:.6g} s after {} steps", phase.deck().name, ended_by,
+                                 simulation.time(), phase.steps_done(simulation)));
+  }
+}
+
+void Recorder::sample_discharge(const Simulation& simulation) {
+  if (!simulation.deck().discharge.enabled) return;
+  const double mass = discharged_mass_of(simulation);
+  const auto& samples = discharge_.samples();
+  if (samples.empty() || simulation.time() > samples.back().time) discharge_.add(simulation.time(), mass);
+}
+
+void Recorder::write_series_row(const Simulation& simulation, const std::string& phase) {
+  if (simulation.steps() == last_series_) return;
+  last_series_ = simulation.steps();
+  const Communicator& comm = simulation.comm();
+  const Energies e =
+      measure_energies(comm, simulation.scene().gravity(), simulation.materials(), simulation.particles(),
+                       simulation.pairs(), simulation.walls(), simulation.wall_contacts());
+  const ContactCount contacts =
+      count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.walls(), simulation.wall_contacts());
+  const std::int64_t particles = inside(simulation);
+  const double discharged = simulation.deck().discharge.enabled ? discharged_mass_of(simulation) : 0.0;
+  const auto& phases = simulation.deck().phases;
+  const auto at = std::find_if(phases.begin(), phases.end(), [&](const PhaseDeck& p) { return p.name == phase; });
+  std::vector<TimeSeries::Value> row = {
+      simulation.steps(), simulation.time(), static_cast<std::int64_t>(at - phases.begin()),
+      particles,          contacts.pairs,    contacts.walls,
+      e.translational,    e.rotational,      e.gravitational,
+      e.elastic,          discharged};
+  for (const std::int64_t mass : sum_of(comm, simulation.left_here()).named_mass) {
+    row.emplace_back(simulation.mass_unit().kilograms(mass));
+  }
+  agree_after_root(comm, [&] { series_->append(row); });
+  if (wall_loads_) wall_loads_->write(simulation);
+}
+
+void Recorder::write_trace(const Simulation& simulation) {
+  const ParticleTable table =
+      collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
+  const std::vector<TraceRow> rows = gather_trace_rows(simulation.comm(), table);
+  agree_after_root(simulation.comm(), [&] { trace_->append(simulation.steps(), rows); });
+}
+
+void Recorder::write_snapshot_now(const Simulation& simulation) {
+  if (simulation.steps() == last_snapshot_) return;
+  last_snapshot_ = simulation.steps();
+  const Communicator& comm = simulation.comm();
+  SnapshotHeader header;
+  header.step = simulation.steps();
+  header.time_s = simulation.time();
+  header.deck = options_.resolved_deck;
+  header.build = options_.build;
+  header.state_hash = state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
+  header.inserted = simulation.inserted();
+  header.inside = inside(simulation);
+  header.left = header.inserted - header.inside;
+  for (const MaterialDeck& m : simulation.deck().materials) header.materials.push_back(m.name);
+  const std::string name = file_of_step("run_", simulation.steps());
+  write_snapshot(comm, path(name),
+                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.planned()), header);
+  agree_after_root(comm, [&] { snapshots_.add(name, simulation.time()); });
+}
+
+/// One line every few wall seconds; rank 0's clock decides for all, since the line needs sums over the ranks.
+void Recorder::report_progress(const Simulation& simulation, const Phase& phase) {
+  const Communicator& comm = simulation.comm();
+  const double elapsed = seconds_since(last_progress_);
+  int due = elapsed >= simulation.deck().output.progress_seconds ? 1 : 0;
+  if (options_.log.progress == nullptr) due = 0;
+  comm.broadcast(due);
+  if (due == 0) return;
+  ProgressState state;
+  state.step = simulation.steps();
+  state.time_s = simulation.time();
+  const std::int64_t done = settled_steps_ + phase.steps_done(simulation);
+  state.share_done = static_cast<double>(done) / static_cast<double>(total_steps_);
+  state.phase = phase.deck().name;
+  state.particles = inside_;
+  const ContactCount contacts =
+      count_contacts(comm, simulation.particles(), simulation.pairs(), simulation.walls(), simulation.wall_contacts());
+  state.contacts = contacts.pairs + contacts.walls;
+  state.kinetic_energy_j = mean_kinetic_energy(comm, simulation.materials(), simulation.particles());
+  const double rate = static_cast<double>(simulation.steps() - last_progress_step_) / elapsed;
+  state.particle_steps_per_second = rate * static_cast<double>(inside_);
+  state.imbalance = simulation.counters().imbalance;
+  state.seconds_left = static_cast<double>(total_steps_ - done) / rate;
+  if (comm.is_root()) options_.log.say(progress_line(state));
+  last_progress_ = WallClock::now();
+  last_progress_step_ = simulation.steps();
+}
+
+Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file, const CheckpointCost& checkpoints) {
+  const Communicator& comm = simulation.comm();
+  Summary s;
+  s.loop_wall_seconds = seconds_since(start_);
+  const double cpu_seconds = static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC;
+  s.loop_cpu_seconds = comm.sum(cpu_seconds);
+  s.particle_steps_per_cpu_second = particle_steps_ / s.loop_cpu_seconds;
+  summarise_cost(simulation, cpu_seconds, s);
+  s.checkpoints = checkpoints;
+  write_snapshot_now(simulation);
+  if (!phases_.empty()) write_series_row(simulation, phases_.back().name);
+
+  s.status = "done";
+  s.title = simulation.deck().run.title;
+  s.ranks = comm.size();
+  s.steps = simulation.steps();
+  s.time_s = simulation.time();
+  s.timestep_s = simulation.time_step().step;
+  s.timestep_set_by = simulation.time_step().criterion;
+  s.inserted = simulation.inserted();
+  s.planned = simulation.planned();
+  s.inside = inside(simulation);
+  s.sizes = simulation.sizes();
+  for (const ExitTotal& exit : exit_totals(simulation.deck().exits, sum_of(comm, simulation.left_here()))) {
+    s.exits.push_back({exit.name, exit.particles, simulation.mass_unit().kilograms(exit.mass)});
+    s.left += exit.particles;
+  }
+  s.state_hash = state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
+  s.phases = phases_;
+  if (simulation.deck().discharge.enabled && opened_) {
+    const double total = total_mass(comm, simulation.materials(), simulation.mass_unit(), simulation.particles(),
+                                    simulation.left_here());
+    const Discharge d = discharge_.result(total, simulation.deck().discharge.plugged_share);
+    s.discharged_mass_kg = d.mass;
+    s.retained_mass_kg = d.retained_mass;
+    s.discharge_time_s = d.time;
+    s.discharge_rate_kg_s = d.rate;
+    s.plugged = d.plugged;
+  }
+  summarise_pile(simulation, options_.directory, options_.log, s);
+  if (surface_angle_) surface_angle_->summarise(s);
+  if (tilt_onset_) summarise_tilt_onset(simulation, read_file, *tilt_onset_, s);
+  const Effort all = effort();
+  s.restarts = all.restarts;
+  s.wall_seconds = all.wall_seconds;
+  s.particle_steps_per_second = all.particle_steps / all.wall_seconds;
+  s.build = options_.build;
+  s.deck = options_.resolved_deck;
+  agree_after_root(comm, [&] { write_summary(path("summary.json"), s); });
+  return s;
+}
+
+}  // namespace repose

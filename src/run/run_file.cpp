@@ -1,0 +1,26 @@
+#include "run/run_file.h"
+
+#include "comm/agreement.h"
+#include "deck/read_deck.h"
+#include "deck/resolved_deck.h"
+#include "files/shared_file.h"
+#include "run/checkpoints.h"
+#include "run/finished_run.h"
+
+namespace repose {
+
+std::optional<Summary> run_file(const Communicator& comm, const RunRequest& request, const StopAsked& stop_asked) {
+  const Deck deck = read_deck(read_shared_file(comm, request.deck), request.deck, request.overrides);
+  const OutputOptions options = {.directory = request.output,
+                                 .resolved_deck = resolved_deck(deck),
+                                 .build = build_info(to_string(request.level)),
+                                 .log = request.log,
+                                 .restart = request.restart};
+  if (request.restart && is_finished(comm, request.output, options.resolved_deck)) {
+    agree_after_root(comm, [&] { remove_checkpoints(request.output); });  // of a run that was ended just then
+    return {};
+  }
+  return run_deck(comm, deck, reader_beside(comm, request.deck), request.level, options, stop_asked);
+}
+
+}  // namespace repose

@@ -1,0 +1,28 @@
+#include "run/run_plan.h"
+
+#include "run/phases.h"
+#include "simulation/setup.h"
+
+namespace repose {
+
+RunPlan::RunPlan(const Deck& deck, const ReadFile& read_file)
+    : materials(deck),
+      walls(make_walls(deck, materials, read_file)),
+      insertion(insert_particles_of(deck, walls, read_file)) {
+  const SmallestRadii radii = smallest_radii(insertion, materials.size());
+  dt = choose_time_step(deck, materials, radii, expected_speed(deck, insertion.now));
+  check_wall_speeds(deck, walls, materials, radii, dt.step);
+}
+
+double most_steps(const Deck& deck, const TimeStep& dt) {
+  double steps = 0.0;
+  for (const PhaseDeck& phase : deck.phases) steps += static_cast<double>(longest_steps(phase, dt.step));
+  return steps;
+}
+
+double most_particle_steps(const Deck& deck, const ReadFile& read_file) {
+  const RunPlan plan(deck, read_file);
+  return static_cast<double>(plan.insertion.planned) * most_steps(deck, plan.dt);
+}
+
+}  // namespace repose

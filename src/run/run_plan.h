@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "deck/deck.h"
+#include "integration/time_step.h"
+#include "scene/insertion/insertion.h"
+#include "scene/particles/materials.h"
+#include "scene/walls/wall.h"
+
+namespace repose {
+
+/// What a run of a deck would begin with. DeckError as a run would.
+struct RunPlan {
+  RunPlan(const Deck& deck, const ReadFile& read_file);
+
+  MaterialTable materials;
+  std::vector<Wall> walls;
+  Insertion insertion;
+  TimeStep dt;
+};
+
+/// Steps of a run whose every phase takes its longest.
+double most_steps(const Deck& deck, const TimeStep& dt);
+
+/// Particles times these steps. DeckError as for a run.
+double most_particle_steps(const Deck& deck, const ReadFile& read_file);
+
+}  // namespace repose

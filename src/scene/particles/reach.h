@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/particles/particles.h"
+
+namespace repose {
+
+/// Each particle has a skin of its own: a share of its radius and the way it makes within `horizon` at its present
+/// speed. A list of the pairs closer than the sum of their reaches (radius + skin) holds every contact until some
+/// particle has moved by more than its own skin. So a few fast grains make neither the lists of the others long nor
+/// rebuilds frequent.
+struct SkinRule {
+  double share;                                              ///< of the radius
+  double horizon;                                            ///< s
+  double longest = std::numeric_limits<double>::infinity();  ///< m
+};
+
+/// Where a particle was when a list was made, and the square of its skin then.
+struct alignas(32) Mark {
+  Vec3 position;
+  double squared_skin;
+};
+
+inline double skin_of(const ParticleRecord& particle, const SkinRule& rule) {
+  return std::min(rule.share * particle.radius + rule.horizon * norm(particle.velocity), rule.longest);
+}
+inline double reach_of(const ParticleRecord& particle, const SkinRule& rule) {
+  return particle.radius + skin_of(particle, rule);
+}
+
+}  // namespace repose

@@ -1,0 +1,119 @@
+#include "scene/walls/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/walls/wall_shapes.h"
+
+namespace repose {
+namespace {
+
+/// What one motion does to points: x' = turn x + shift, by columns of the rotation.
+Placement placement_of(const MotionDeck& motion, double time, bool runs) {
+  Placement placement;
+  switch (motion.type) {
+    case MotionType::translation:
+      placement.shift = time * motion.velocity;
+      if (runs) placement.motion.velocity = motion.velocity;
+      break;
+    case MotionType::oscillation: {
+      const double omega = 2.0 * pi * motion.frequency;
+      const auto [sine, cosine] = sin_cos_reproducible(omega * time);
+      placement.shift = sine * motion.amplitude;
+      if (runs) placement.motion.velocity = (omega * cosine) * motion.amplitude;
+      break;
+    }
+    case MotionType::rotation: {
+      const Vec3 axis = unit_vector(motion.axis_direction);
+      const auto [sine, cosine] = sin_cos_reproducible(motion.angular_velocity * time);
+      const double rest = 1.0 - cosine;
+      placement.rows = {
+          Vec3{cosine + rest * axis.x * axis.x, rest * axis.x * axis.y - sine * axis.z,
+               rest * axis.x * axis.z + sine * axis.y},
+          Vec3{rest * axis.y * axis.x + sine * axis.z, cosine + rest * axis.y * axis.y,
+               rest * axis.y * axis.z - sine * axis.x},
+          Vec3{rest * axis.z * axis.x - sine * axis.y, rest * axis.z * axis.y + sine * axis.x,
+               cosine + rest * axis.z * axis.z},
+      };
+      placement.shift = motion.axis_origin - placement.turn(motion.axis_origin);
+      if (runs) {
+        placement.motion.angular_velocity = motion.angular_velocity * axis;
+        placement.motion.velocity = -cross(placement.motion.angular_velocity, motion.axis_origin);
+      }
+      break;
+    }
+  }
+  return placement;
+}
+
+/// `inner`, carried along by `outer`.
+Placement carried(const Placement& outer, const Placement& inner) {
+  Placement both;
+  const auto column = [&](double Vec3::*component) {
+    return outer.turn(Vec3{inner.rows[0].*component, inner.rows[1].*component, inner.rows[2].*component});
+  };
+  const std::array<Vec3, 3> columns = {column(&Vec3::x), column(&Vec3::y), column(&Vec3::z)};
+  both.rows = {Vec3{columns[0].x, columns[1].x, columns[2].x}, Vec3{columns[0].y, columns[1].y, columns[2].y},
+               Vec3{columns[0].z, columns[1].z, columns[2].z}};
+  both.shift = outer.place(inner.shift);
+  // The inner motion's velocity at x, which the outer one has brought there, is that of the point where it was.
+  const Vec3 turning = outer.turn(inner.motion.angular_velocity);
+  both.motion.angular_velocity = outer.motion.angular_velocity + turning;
+  both.motion.velocity = outer.motion.velocity + outer.turn(inner.motion.velocity) - cross(turning, outer.shift);
+  return both;
+}
+
+}  // namespace
+
+void Motions::begin_phase(const std::string& phase) {
+  for (std::size_t k = 0; k < motions_.size(); ++k) {
+    const std::vector<std::string>& phases = motions_[k].phases;
+    clocks_[k].runs = phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
+  }
+}
+
+void Motions::step() {
+  for (Clock& clock : clocks_) clock.steps += clock.runs ? 1 : 0;
+}
+
+Placement Motions::placement(double dt) const {
+  Placement placement;
+  for (std::size_t k = 0; k < motions_.size(); ++k) {
+    const double time = static_cast<double>(clocks_[k].steps) * dt;
+    placement = carried(placement_of(motions_[k], time, clocks_[k].runs), placement);
+  }
+  return placement;
+}
+
+double greatest_speed(const std::vector<MotionDeck>& motions, const DomainDeck& domain) {
+  double speed = 0.0;
+  for (const MotionDeck& m : motions) {
+    switch (m.type) {
+      case MotionType::translation:
+        speed += norm(m.velocity);
+        break;
+      case MotionType::oscillation:
+        speed += 2.0 * pi * m.frequency * norm(m.amplitude);
+        break;
+      case MotionType::rotation: {
+        double farthest = 0.0;
+        for (int corner = 0; corner < 8; ++corner) {
+          const Vec3 x = {(corner & 1) != 0 ? domain.max.x : domain.min.x,
+                          (corner & 2) != 0 ? domain.max.y : domain.min.y,
+                          (corner & 4) != 0 ? domain.max.z : domain.min.z};
+          farthest = std::max(farthest, norm(cross(unit_vector(m.axis_direction), x - m.axis_origin)));
+        }
+        speed += std::fabs(m.angular_velocity) * farthest;
+        break;
+      }
+    }
+  }
+  return speed;
+}
+
+Vec3 turned(const Vec3& v, const Vec3& axis, const SineCosine& angle) {
+  const auto [sine, cosine] = angle;
+  return cosine * v + sine * cross(axis, v) + ((1.0 - cosine) * dot(axis, v)) * axis;
+}
+
+}  // namespace repose

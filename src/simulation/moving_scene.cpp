@@ -1,0 +1,62 @@
+#include "simulation/moving_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace repose {
+
+MovingScene::MovingScene(const Deck& deck, std::vector<Wall> walls)
+    : walls_(std::move(walls)),
+      walls_travel_(std::any_of(walls_.begin(), walls_.end(), [](const Wall& w) { return w.travels; })),
+      tilt_(deck.tilt),
+      gravity_at_start_(deck.gravity),
+      gravity_(deck.gravity) {}
+
+void MovingScene::set_wall_skins(const Deck& deck, double inner_horizon, double outer_horizon) {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    if (!walls_[w].travels) continue;
+    const double speed = greatest_speed(deck.walls[w].motions, deck.domain);
+    walls_[w].inner_skin = inner_horizon * speed;
+    walls_[w].outer_skin = outer_horizon * speed;
+  }
+}
+
+void MovingScene::begin_phase(const std::string& name) {
+  held_.begin_phase(name);
+  for (Wall& wall : walls_) wall.motions.begin_phase(name);
+  const std::vector<std::string>& phases = tilt_.phases;
+  tilts_ = tilt_.enabled && (phases.empty() || std::find(phases.begin(), phases.end(), name) != phases.end());
+}
+
+void MovingScene::set_wall_present(const std::string& name, bool present) {
+  const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) { return w.name == name; });
+  if (wall != walls_.end()) wall->present = present;
+}
+
+void MovingScene::place(double dt) {
+  held_.place(dt);
+  for (Wall& wall : walls_) {
+    if (!wall.motions.empty()) repose::place(wall, dt);
+  }
+  if (tilt_steps_ > 0) tilt_gravity(dt);
+}
+
+void MovingScene::step(double dt, Particles& particles) {
+  held_.step(dt);
+  held_.hold(particles);
+  for (Wall& wall : walls_) {
+    if (wall.motions.empty()) continue;
+    wall.motions.step();
+    repose::place(wall, dt);
+  }
+  if (!tilts_) return;
+  ++tilt_steps_;
+  tilt_gravity(dt);
+}
+
+void MovingScene::tilt_gravity(double dt) {
+  tilt_angle_ = static_cast<double>(tilt_steps_) * dt * tilt_.angular_velocity;
+  gravity_ = turned(gravity_at_start_, unit_vector(tilt_.axis_direction), sin_cos_reproducible(-tilt_angle_));
+}
+
+}  // namespace repose

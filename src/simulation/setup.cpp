@@ -1,0 +1,66 @@
+#include "simulation/setup.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "integration/velocity_verlet.h"
+#include "output/snapshot_reader.h"
+#include "scene/particles/sphere_mass.h"
+#include "scene/walls/motion.h"
+
+namespace repose {
+
+std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials, const ReadFile& read_file) {
+  std::vector<Wall> walls;
+  for (const WallDeck& w : deck.walls) walls.push_back(make_wall(w, materials.index_of(w.material), read_file));
+  return walls;
+}
+
+Insertion insert_particles_of(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file) {
+  Insertion insertion = insert_particles(deck, walls, read_file, [&](const std::string& file) {
+    return parse_snapshot(read_file(file), file, deck.materials);
+  });
+  if (deck.tilt_onset.enabled && deck.tilt_onset.particle >= insertion.planned) {
+    throw DeckError(fmt::format("measurement.tilt_onset.particle = {}: the deck has particles 0 to {}",
+                                deck.tilt_onset.particle, insertion.planned - 1));
+  }
+  return insertion;
+}
+
+SmallestRadii smallest_radii(const Insertion& insertion, std::size_t materials) {
+  SmallestRadii radii{std::vector<double>(materials, std::numeric_limits<double>::infinity())};
+  insertion.for_each([&](double radius, std::size_t material) {
+    radii.of_material[material] = std::min(radii.of_material[material], radius);
+  });
+  return radii;
+}
+
+void check_wall_speeds(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials,
+                       const SmallestRadii& radii, double dt) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < radii.of_material.size(); ++m) {
+    if (!materials.is_held(static_cast<std::int32_t>(m))) smallest = std::min(smallest, radii.of_material[m]);
+  }
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    if (!walls[w].travels) continue;
+    const double way = dt * greatest_speed(deck.walls[w].motions, deck.domain);
+    if (way < longest_way * smallest) continue;
+    throw DeckError(fmt::format(
+        "wall \"{}\": its motions can take it {:.3g} m within the domain in one time step of {:.3g} s, {:.2g} of the "
+        "smallest radius {:.3g} m: beyond {} it could pass particles unseen; shorten time.step to {:.1e} s or slow it "
+        "down",
+        walls[w].name, way, dt, way / smallest, smallest, longest_way, 0.5 * dt * longest_way * smallest / way));
+  }
+}
+
+double planned_mass(const Insertion& insertion, const MaterialTable& materials) {
+  double mass = 0.0;
+  insertion.for_each(
+      [&](double radius, std::size_t material) { mass += sphere_mass(radius, materials[material].density); });
+  return mass;
+}
+
+}  // namespace repose

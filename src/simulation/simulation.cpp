@@ -1,0 +1,324 @@
+#include "simulation/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "domain/migration.h"
+#include "integration/velocity_verlet.h"
+#include "simulation/contact_alarm.h"
+#include "simulation/guards.h"
+#include "simulation/setup.h"
+
+namespace repose {
+namespace {
+
+constexpr std::int64_t inner_horizon_steps = 32;  // steps at present speed that the inner skin covers
+constexpr std::int64_t outer_horizon_steps = ListHorizon::choices.front();  // the most that the outer skin covers
+
+void append_particle(const NewParticles& from, std::size_t i, Particles& to) {
+  to.record.push_back(
+      {to.periodic.on_grid(from.position[i]), from.radius[i], from.velocity[i], 0.0, from.spin[i], 0.0});
+  to.id.push_back(from.id[i]);
+  to.material.push_back(from.material[i]);
+}
+
+}  // namespace
+
+Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level)
+    : comm_(comm),
+      deck_(deck),
+      level_(level),
+      materials_(deck),
+      scene_(deck, make_walls(deck, materials_, read_file)),
+      decomposition_(comm.size()),
+      ghosts_(comm),
+      load_(comm) {
+  particles_.periodic = Periodicity(deck_.domain);
+  open_domain_ = particles_.periodic.open_bounds(deck_.domain);
+  left_ = ExitCount::none(deck_.exits.size());
+  Insertion insertion = insert_particles_of(deck_, walls(), read_file);
+  scene_.hold(deck_, insertion);
+  const SmallestRadii radii = smallest_radii(insertion, materials_.size());
+  time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now));
+  check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
+  safe_step_ = longest_way / std::sqrt(3.0) * *std::min_element(radii.of_material.begin(), radii.of_material.end());
+  const double longest = longest_skin(particles_.periodic, insertion.largest_radius());
+  const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
+  watch_ = SkinWatch({deck_.neighbours.inner_skin, horizon(inner_horizon_steps), 0.5 * longest},
+                     {deck_.neighbours.skin, horizon(outer_horizon_steps), longest});
+  scene_.set_wall_skins(deck_, watch_.inner().horizon, watch_.outer().horizon);
+  planned_ = insertion.planned;
+  mass_unit_ = MassUnit(planned_mass(insertion, materials_));
+  sizes_ = std::move(insertion.sizes);
+  pouring_ = Pouring(std::move(insertion.pours), time_step_.step);
+  insert(insertion.now);
+  check_guards();
+  rebuild_lists();
+  evaluate_forces(0.0);
+  check_guards();
+  clock_ = {};  // the set-up belongs to no stage
+  load_ = RankLoad(comm_);
+}
+
+/// Each rank starts with an equal share of the particles; the first rebuild sends them where they belong.
+void Simulation::insert(const NewParticles& all) {
+  inserted_at_start_ = static_cast<std::int64_t>(all.size());
+  const auto ranks = static_cast<std::size_t>(comm_.size());
+  const auto rank = static_cast<std::size_t>(comm_.rank());
+  for (std::size_t i = all.size() * rank / ranks; i < all.size() * (rank + 1) / ranks; ++i) {
+    append_particle(all, i, particles_);
+  }
+  particles_.owned = particles_.id.size();
+}
+
+void Simulation::advance(std::int64_t steps) {
+  const double dt = time_step_.step;
+  for (std::int64_t k = 0; k < steps; ++k) {
+    clock_.begin_step();
+    clock_.enter(Stage::integration);
+    const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
+    const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), particles_);
+    const bool may_be_unfit = notes.nowhere || notes.longest_step >= safe_step_;
+    if (may_be_unfit && !alarm_) alarm_ = find_unfit(guard_view(steps_ + 1));
+    scene_.step(dt, particles_);
+    if (notes.outside > parked_ && !alarm_) count_leavers();
+    const bool skin_used_up = notes.skin_used_up || scene_.held().skin_used_up(watch_.inner_marks(), particles_);
+    const ListState state = agreed_list_state(skin_used_up);
+    const bool grows = steps_ + 1 == pouring_.next_step() && pour();
+    renew_lists(grows ? ListState::outer_stale : state);
+    evaluate_forces(dt);
+    load_.count_step(pairs_.lanes(), particles_.ghosts());
+    ++steps_;
+  }
+  clock_.enter(Stage::integration);
+  step_second_half(level_, scene_.gravity(), dt, particles_);
+  scene_.put_back(particles_);
+  clock_.enter(Stage::output);
+}
+
+/// Whether particles enter at this step.
+bool Simulation::pour() {
+  clock_.enter(Stage::lists);
+  entering_ = pouring_.enter(comm_, {steps_ + 1, deck_.run.seed, scene_.gravity()}, particles_, walls());
+  return entering_.size() > 0;
+}
+
+/// Adds the particles that enter to those of the rank whose part of the domain they are in, without contacts.
+void Simulation::admit(ContactMemory& memory) {
+  if (entering_.size() == 0) return;
+  particles_.record.resize(particles_.owned);  // the ghosts and dummies are of the old lists
+  particles_.id.resize(particles_.owned);
+  particles_.material.resize(particles_.owned);
+  for (std::size_t i = 0; i < entering_.size(); ++i) {
+    if (decomposition_.owner(entering_.position[i]) != comm_.rank()) continue;
+    append_particle(entering_, i, particles_);
+    memory.pairs.append_row({});
+    memory.walls.append_row({});
+  }
+  particles_.owned = particles_.id.size();
+  entering_ = {};
+}
+
+bool Simulation::awaits_particles() const {
+  return pouring_.is_under_way(steps_) || (inserted() == 0 && !pouring_.is_complete());
+}
+
+/// Lists that hold every contact of this step, and the ghosts on their way.
+void Simulation::renew_lists(ListState state) {
+  switch (state) {
+    case ListState::outer_stale:
+      clock_.enter(Stage::lists);
+      rebuild_lists();
+      break;
+    case ListState::inner_stale:
+      clock_.enter(Stage::ghosts);
+      ghosts_.start(particles_);
+      ghosts_.finish(particles_);
+      clock_.enter(Stage::lists);
+      select_near();
+      ++counters_.inner_selections;
+      break;
+    case ListState::valid:
+      clock_.enter(Stage::ghosts);
+      ghosts_.start(particles_);
+      ghosts_on_their_way_ = true;
+      break;
+  }
+}
+
+void Simulation::select_near() {
+  pairs_.select_near(particles_, watch_.inner());
+  wall_contacts_.select_near(particles_, walls(), watch_.inner());
+  watch_.inner_selected(particles_);
+  inner_selected_at_ = steps_;
+}
+
+void Simulation::count_leavers() {
+  retire_leavers(open_domain_, deck_.exits, materials_, mass_unit_, particles_, left_);
+  watch_.ignore_parked(particles_);
+  parked_ = 0;
+  for (std::size_t i = 0; i < particles_.owned; ++i) parked_ += is_parked(particles_.record[i]) ? 1U : 0U;
+}
+
+/// What the lists need, agreed among the ranks together with whether any raised an alarm. A second reduction only when
+/// an inner list has to be made anew.
+Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
+  constexpr int moved = 1;
+  constexpr int alarmed = 2;
+  const bool inner_too_old = scene_.walls_travel() && steps_ + 1 - inner_selected_at_ >= inner_horizon_steps;
+  const bool outer_too_old =
+      scene_.walls_travel() && steps_ + 1 - outer_listed_at_ > outer_horizon_steps - inner_horizon_steps;
+  const int here = alarm_ ? alarmed : inner_used_up || inner_too_old ? moved : 0;
+  clock_.enter(Stage::agreement);
+  const int worst = comm_.size() == 1 ? here : comm_.max(here);
+  if (worst == alarmed) check_guards();
+  if (worst == 0) return ListState::valid;
+  const int short_here = outer_too_old || watch_.outer_is_too_short(particles_) ? 1 : 0;
+  return comm_.max(short_here) != 0 ? ListState::outer_stale : ListState::inner_stale;
+}
+
+void Simulation::rebuild_lists() { rebuild_lists(contact_memory()); }
+
+void Simulation::rebuild_lists(ContactMemory memory) {
+  wrap_positions(particles_);
+  if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
+  balance();
+  const std::size_t listed = pairs_.listed();
+  pairs_.clear();
+  admit(memory);
+  migrate(comm_, decomposition_, particles_, memory);
+  set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
+  scene_.list_held(particles_);
+  check_time_step();
+  choose_list_horizon(listed);
+  std::vector<double> reach = ghosts_.set_up(decomposition_, watch_.outer(), particles_);
+  std::vector<IndexPair> near = near_pairs(particles_.record, reach, particles_.owned);
+  ignore_held(near, reach);
+  const std::vector<bool> needed = ghosts_in(near, particles_.owned, particles_.total());
+  ghosts_.keep(needed, particles_);
+  drop_ghosts(needed, particles_.owned, near);
+  crowded_ = crowded_particles(near, particles_.owned);
+  add_lane_dummies(particles_);
+  pairs_.build(particles_, near, memory.pairs);
+  near = {};
+  wall_contacts_.build(particles_, walls(), reach, memory.walls);
+  memory = {};
+  watch_.outer_listed(particles_);
+  outer_listed_at_ = steps_;
+  select_near();
+  parked_ = 0;
+  ++counters_.rebuilds;
+  counters_.peak_ghosts = std::max(counters_.peak_ghosts, static_cast<std::int64_t>(particles_.ghosts()));
+}
+
+/// Held particles feel neither one another nor walls.
+void Simulation::ignore_held(std::vector<IndexPair>& near, std::vector<double>& reach) const {
+  const auto is_held = [&](std::int32_t i) {
+    return materials_.is_held(particles_.material[static_cast<std::size_t>(i)]);
+  };
+  std::erase_if(near, [&](const IndexPair& pair) { return is_held(pair[0]) && is_held(pair[1]); });
+  for (std::size_t i = 0; i < particles_.owned; ++i) {
+    if (materials_.is_held(particles_.material[i])) reach[i] = -std::numeric_limits<double>::infinity();
+  }
+}
+
+/// A new decomposition when the busiest rank has more than its share, measured in counted particles and pairs.
+void Simulation::balance() {
+  if (comm_.size() == 1) return;
+  load_.compare(comm_);
+  const std::vector<std::int64_t> cost = cost_of_owned(pairs_, particles_);
+  std::vector<Vec3> positions;
+  std::vector<std::int64_t> alive_cost;
+  std::int64_t here = 0;
+  for (std::size_t i = 0; i < particles_.owned; ++i) {
+    if (is_parked(particles_.record[i])) continue;
+    positions.push_back(particles_.record[i].position);
+    alive_cost.push_back(cost[i]);
+    here += alive_cost.back();
+  }
+  const std::int64_t total = comm_.sum(here);
+  const std::int64_t busiest = comm_.max(here);
+  counters_.imbalance = total > 0 ? static_cast<double>(busiest) * comm_.size() / static_cast<double>(total) : 1.0;
+  const bool first = counters_.rebuilds == 0;
+  if (!first && counters_.imbalance <= deck_.neighbours.max_imbalance) return;
+  decomposition_ = Decomposition::bisect(comm_, positions, alive_cost);
+  ++counters_.bisections;
+}
+
+void Simulation::choose_list_horizon(std::size_t listed) {
+  ListHorizon::Counts counts = ListHorizon::count(particles_, watch_.outer().share, time_step_.step, listed);
+  comm_.sum_elements(std::span(counts.begin(), counts.end()));
+  list_horizon_.choose(counts);
+  watch_.set_outer_horizon(static_cast<double>(list_horizon_.steps()) * time_step_.step);
+}
+
+/// The criteria of the time step with the true greatest speed, with one warning in all.
+void Simulation::check_time_step() {
+  const std::int64_t step = counters_.rebuilds == 0 ? steps_ : steps_ + 1;
+  std::optional<std::string> warning =
+      repose::check_time_step(comm_, guard_view(step), time_step_, !warned_of_time_step_);
+  if (!warning) return;
+  warned_of_time_step_ = true;
+  warning_ = std::move(warning);
+}
+
+GuardView Simulation::guard_view(std::int64_t step) const {
+  return {particles_, materials_, watch_.inner_marks(), step, time_step_.step};
+}
+
+void Simulation::evaluate_forces(double dt) {
+  const double max_overlap = deck_.guards.max_overlap;
+  bool alarm = false;
+  const auto evaluate = [&](bool interior) {
+    for (PairGroup& group : pairs_.groups()) {
+      if (group.interior == interior) alarm |= evaluate_group(group, dt);
+    }
+  };
+  clock_.enter(Stage::pair_contacts);
+  evaluate(true);
+  clock_.enter(Stage::wall_contacts);
+  alarm |= wall_contacts_.evaluate(level_, walls(), materials_, dt, max_overlap, particles_).any();
+  clock_.enter(Stage::ghosts);
+  if (ghosts_on_their_way_) ghosts_.finish(particles_);
+  ghosts_on_their_way_ = false;
+  clock_.enter(Stage::pair_contacts);
+  evaluate(false);
+  if (alarm && !alarm_) {
+    alarm_ = contact_alarm(guard_view(dt > 0.0 ? steps_ + 1 : steps_),
+                           {pairs_, wall_contacts_, walls(), level_, max_overlap});
+  }
+  if (!alarm_) alarm_ = find_full_sum(guard_view(dt > 0.0 ? steps_ + 1 : steps_), crowded_);
+}
+
+/// In pieces, between which the messages of the ghosts advance. Whether there was an alarm.
+bool Simulation::evaluate_group(PairGroup& group, double dt) {
+  constexpr std::size_t piece = 512;  // blocks: some 0.2 ms
+  const PairParameters& pair =
+      materials_.pair(static_cast<std::size_t>(group.material_first), static_cast<std::size_t>(group.material_second));
+  const std::span<ContactBlock> blocks = group.blocks;
+  bool alarm = false;
+  for (std::size_t first = 0; first < blocks.size(); first += piece) {
+    const std::size_t count = std::min(piece, blocks.size() - first);
+    alarm |= evaluate_pairs(level_, blocks.subspan(first, count), {&group.fetch, first}, pair, dt,
+                            deck_.guards.max_overlap, particles_.record.data(), particles_.sum.data())
+                 .any();
+    if (ghosts_on_their_way_) ghosts_.advance();
+  }
+  return alarm;
+}
+
+void Simulation::check_guards() const { throw_if_any(comm_, alarm_ ? alarm_ : find_unfit(guard_view(steps_))); }
+
+std::size_t Simulation::memory_bytes() const {
+  return particles_.bytes() + pairs_.bytes() + wall_contacts_.bytes() + watch_.bytes();
+}
+
+std::optional<std::string> Simulation::take_warning() {
+  std::optional<std::string> warning;
+  std::swap(warning, warning_);
+  return warning;
+}
+
+}  // namespace repose

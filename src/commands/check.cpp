@@ -6,6 +6,7 @@
 #include "output/progress.h"
 #include "run/phases.h"
 #include "run/run_plan.h"
+#include "simulation/setup.h"
 
 namespace repose {
 namespace {

@@ -10,8 +10,8 @@ template <class Real>
 [[gnu::always_inline]] inline BasicContactStiffness<Real> hooke_stiffness(const PairParameters& pair,
                                                                           const BasicContactGeometry<Real>& contact) {
   const auto touching = contact.overlap > Real{};
-  const Real k_n = select(touching, broadcast<Real>(pair.hooke_stiffness), Real{});
-  const Real k_t = pair.hooke_tangential_ratio * k_n;
+  const Real k_n = select(touching, broadcast<Real>(pair.coefficients.hooke_stiffness), Real{});
+  const Real k_t = pair.coefficients.hooke_tangential_ratio * k_n;
   const Real c_n = -2.0 * pair.damping_ratio * square_root(k_n * contact.mass_eff);
   return {k_n, k_t, c_n, c_n * pair.tangential_damping_ratio};
 }

@@ -4,7 +4,7 @@
 
 #include "deck/check_deck.h"
 #include "deck/nearest.h"
-#include "deck/schema_types.h"
+#include "deck/key.h"
 
 namespace repose {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "deck/resolved_deck.h"
-#include "deck/schema.h"
+#include "deck/deck.h"
 #include "deck/value_text.h"
 
 namespace repose {

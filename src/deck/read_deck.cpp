@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "deck/check_deck.h"
 #include "deck/read_described.h"
-#include "deck/schema.h"
+#include "deck/deck.h"
 
 namespace repose {
 namespace {

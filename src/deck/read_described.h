@@ -9,7 +9,7 @@
 
 namespace repose {
 
-/// Reads a file whose keys describe(visitor, D&) lists (deck/schema_types.h): `text` is its TOML, `path` its name in
+/// Reads a file whose keys describe(visitor, D&) lists (deck/key.h): `text` is its TOML, `path` its name in
 /// messages, `overrides` are "key=value" texts. `check(deck, errors)` fills in and adds what connects several keys.
 /// DeckError, with the place, on the first mistake.
 template <class D, class Check>

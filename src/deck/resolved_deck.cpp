@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "deck/schema.h"
+#include "deck/deck.h"
 #include "deck/value_text.h"
 
 namespace repose {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deck/schema_types.h"
+#include "deck/key.h"
 #include "deck/study_deck.h"
 
 namespace repose {

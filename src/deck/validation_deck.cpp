@@ -2,7 +2,7 @@
 
 #include "deck/plain_name.h"
 #include "deck/read_described.h"
-#include "deck/schema_types.h"
+#include "deck/key.h"
 
 namespace repose {
 

@@ -7,7 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "deck/schema_types.h"
+#include "base/vec3.h"
+#include "deck/key.h"
 
 /// Values of the schema as text, one overload per type of member.
 namespace repose {

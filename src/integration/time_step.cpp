@@ -62,7 +62,7 @@ double shortest_hertz_time(const MaterialTable& materials, const SmallestRadii& 
 
 double shortest_hooke_time(const MaterialTable& materials, const SmallestRadii& radii) {
   return shortest_contact_time(materials, radii, [](const PairParameters& pair, double, double mass_eff) {
-    return hooke_time(mass_eff, pair.hooke_stiffness, pair.hooke_tangential_ratio);
+    return hooke_time(mass_eff, pair.coefficients.hooke_stiffness, pair.coefficients.hooke_tangential_ratio);
   });
 }
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "deck/read_described.h"
-#include "deck/schema_types.h"
+#include "deck/key.h"
 
 /// What the thermal tools have in common: a deck and data files in, a table and a JSON result out.
 namespace repose::thermal {

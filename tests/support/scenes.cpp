@@ -32,8 +32,8 @@ Deck bare_deck(const Coefficients& c, double timestep) {
   deck.domain = {{-100.0, -100.0, -100.0}, {100.0, 100.0, 100.0}};
   deck.materials = {{"grain", c.youngs_modulus, c.poisson_ratio, c.density},
                     {"wall", c.youngs_modulus, c.poisson_ratio, c.density}};
-  deck.pairs = {{{"grain", "grain"}, c.restitution_pp, c.sliding_pp, c.rolling_pp},
-                {{"grain", "wall"}, c.restitution_pw, c.sliding_pw, c.rolling_pw}};
+  deck.pairs = {{{c.restitution_pp, c.sliding_pp, c.rolling_pp}, {"grain", "grain"}},
+                {{c.restitution_pw, c.sliding_pw, c.rolling_pw}, {"grain", "wall"}}};
   deck.time.step = timestep;
   deck.time.expected_speed = 1.0;
   return deck;

@@ -28,7 +28,7 @@ TEST(DampingRatio, HasItsLimits) {
 Deck two_materials() {
   Deck deck;
   deck.materials = {{"soft", 1e7, 0.25, 1000.0}, {"stiff", 4e7, 0.5, 2000.0}};
-  deck.pairs = {{{"soft", "soft"}, 0.3, 0.1, 0.2}, {{"stiff", "soft"}, 1.0, 0.4, 0.5}};
+  deck.pairs = {{{0.3, 0.1, 0.2}, {"soft", "soft"}}, {{1.0, 0.4, 0.5}, {"stiff", "soft"}}};
   return deck;
 }
 

@@ -11,8 +11,8 @@ namespace {
 PairParameters hooke_pair() {
   PairParameters pair = round_pair();
   pair.options.normal_law = NormalLaw::hooke;
-  pair.hooke_stiffness = 120.0;
-  pair.hooke_tangential_ratio = 0.25;
+  pair.coefficients.hooke_stiffness = 120.0;
+  pair.coefficients.hooke_tangential_ratio = 0.25;
   pair.tangential_damping_ratio = 0.5;
   return pair;
 }

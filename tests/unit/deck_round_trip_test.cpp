@@ -9,7 +9,7 @@
 
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
-#include "deck/schema.h"
+#include "deck/deck.h"
 #include "deck/value_text.h"
 #include "deck_example.h"
 #include "support/input_decks.h"

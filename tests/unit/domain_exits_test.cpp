@@ -15,7 +15,7 @@ namespace {
 MaterialTable one_material() {
   Deck deck;
   deck.materials = {{"grain", 1e7, 0.3, 2500.0}};
-  deck.pairs = {{{"grain", "grain"}, 0.5, 0.5, 0.1}};
+  deck.pairs = {{{0.5, 0.5, 0.1}, {"grain", "grain"}}};
   return MaterialTable(deck);
 }
 

@@ -28,7 +28,7 @@ Deck two_materials() {
   Deck deck;
   deck.domain = {{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};
   deck.materials = {{"grain", 1e7, 0.25, 2500.0}, {"steel", 2e11, 0.3, 7800.0}};
-  deck.pairs = {{{"grain", "grain"}, 0.5, 0.5, 0.1}, {{"grain", "steel"}, 0.5, 0.5, 0.1}};
+  deck.pairs = {{{0.5, 0.5, 0.1}, {"grain", "grain"}}, {{0.5, 0.5, 0.1}, {"grain", "steel"}}};
   return deck;
 }
 
@@ -69,7 +69,7 @@ TEST(ChooseTimeStep, TakesTheShorterCriterion) {
 
 TEST(ChooseTimeStep, FindsTheWorstOfAllPairs) {
   Deck deck = two_materials();
-  deck.pairs.push_back({{"steel", "steel"}, 0.5, 0.5, 0.1});
+  deck.pairs.push_back({{0.5, 0.5, 0.1}, {"steel", "steel"}});
   const MaterialTable materials(deck);
   const double r[2] = {1e-3, 0.4e-3};
   const double m[2] = {sphere_mass(r[0], 2500.0), sphere_mass(r[1], 7800.0)};

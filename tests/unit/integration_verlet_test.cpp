@@ -138,7 +138,7 @@ TEST(VelocityVerlet, FreeFallIsExact) {
 MaterialTable soft_and_stiff() {
   Deck deck;
   deck.materials = {{"soft", 1e7, 0.25, 1000.0}, {"stiff", 4e9, 0.5, 2000.0}};
-  deck.pairs = {{{"soft", "soft"}, 0.3, 0.1, 0.2}, {{"stiff", "soft"}, 1.0, 0.4, 0.5}};
+  deck.pairs = {{{0.3, 0.1, 0.2}, {"soft", "soft"}}, {{1.0, 0.4, 0.5}, {"stiff", "soft"}}};
   return MaterialTable(deck);
 }
 

@@ -38,7 +38,7 @@ Deck deck_with(const std::vector<ParticlesDeck>& blocks) {
   deck.materials[1].name = "grain";
   deck.materials[1].density = 1000.0;
   deck.pairs = {
-      {{"steel", "steel"}, 0.5, 0.5, 0.1}, {{"steel", "grain"}, 0.5, 0.5, 0.1}, {{"grain", "grain"}, 0.5, 0.5, 0.1}};
+      {{0.5, 0.5, 0.1}, {"steel", "steel"}}, {{0.5, 0.5, 0.1}, {"steel", "grain"}}, {{0.5, 0.5, 0.1}, {"grain", "grain"}}};
   deck.particles = blocks;
   return deck;
 }
@@ -82,7 +82,7 @@ TEST(InsertParticles, NumbersTheBlocksOneAfterTheOther) {
 
 TEST(InsertParticles, EveryTwoMaterialsThatCanTouchNeedAPair) {
   Deck deck = deck_with({csv_block("ball.csv")});
-  deck.pairs = {{{"grain", "grain"}, 0.5, 0.5, 0.1}};
+  deck.pairs = {{{0.5, 0.5, 0.1}, {"grain", "grain"}}};
   EXPECT_EQ(insert(deck, "0,0,0,0,0,0,0,0,0,0.01,grain\n").size(), 1u);
   expect_error(deck, "0,0,0,0,0,0,0,0,0,0.01,steel\n", "no [[pair]] for \"steel\" and \"steel\"");
 }

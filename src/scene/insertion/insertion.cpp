@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "deck/schema_types.h"
+#include "deck/key.h"
 #include "scene/insertion/fill.h"
 #include "scene/insertion/grain_sizes.h"
 #include "scene/insertion/lattice.h"

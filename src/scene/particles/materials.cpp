@@ -8,14 +8,13 @@
 namespace repose {
 namespace {
 
-/// Damping ratio and stiffness of Hooke's law, and the options.
+/// What the options make of the pair.
 void set_options(const Deck& deck, const PairDeck& deck_pair, PairParameters& p) {
   p.options = deck.contact;
+  p.coefficients = deck_pair;
   p.synchronised = deck.time.integrator == Integrator::synchronised_verlet;
   if (deck.contact.normal_law == NormalLaw::hooke) {
-    p.hooke_stiffness = deck_pair.hooke_stiffness;
-    p.hooke_tangential_ratio = deck_pair.hooke_tangential_ratio;
-    p.tangential_damping_ratio = std::sqrt(p.hooke_tangential_ratio);
+    p.tangential_damping_ratio = std::sqrt(deck_pair.hooke_tangential_ratio);
   }
   if (deck.contact.attraction) return;
   const double attractive = p.damping_ratio;
@@ -84,14 +83,10 @@ double MaterialTable::greatest_force(std::size_t material, double radius, double
   return greatest;
 }
 
-bool follows_thesis(const PairParameters& pair) {
-  const ContactDeck& o = pair.options;
-  return o.normal_law == NormalLaw::hertz && o.attraction && o.tangential_spring == TangentialSpring::projected &&
-         o.rolling_history == RollingHistory::fixed && !pair.synchronised;
-}
+bool follows_thesis(const PairParameters& pair) { return pair.options == ContactDeck{} && !pair.synchronised; }
 
 double spring_force(const PairParameters& pair, double radius_eff, double overlap) {
-  if (pair.options.normal_law == NormalLaw::hooke) return pair.hooke_stiffness * overlap;
+  if (pair.options.normal_law == NormalLaw::hooke) return pair.coefficients.hooke_stiffness * overlap;
   return 4.0 / 3.0 * pair.youngs_modulus_eff * std::sqrt(radius_eff * overlap) * overlap;
 }
 

@@ -29,10 +29,9 @@ struct ContactParameters {
 
 /// The same with what the options need.
 struct PairParameters : ContactParameters {
-  ContactDeck options;                  ///< of the deck, the same for all pairs
-  bool synchronised = false;            ///< velocities belong to the normal of half a step ago
-  double hooke_stiffness = 0.0;         ///< k_n of Hooke's law, N/m
-  double hooke_tangential_ratio = 0.0;  ///< k_t / k_n of Hooke's law
+  ContactDeck options;            ///< of the deck, the same for all pairs
+  bool synchronised = false;      ///< velocities belong to the normal of half a step ago
+  PairCoefficients coefficients;  ///< of the deck; those of the thesis's law stand above as well
 };
 
 /// Whether the contact law is that of the thesis, with none of the options.

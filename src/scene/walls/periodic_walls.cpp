@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "deck/schema_types.h"
+#include "deck/key.h"
 
 namespace repose {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "deck/read_described.h"
-#include "deck/schema_types.h"
+#include "deck/key.h"
 #include "thermal/beds/air.h"
 
 namespace repose::thermal {

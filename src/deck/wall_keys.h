@@ -1,41 +1,32 @@
 #pragma once
 
-#include "deck/schema_types.h"
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
 
-/// Schema of the scene: materials, walls and particles.
+#include "base/vec3.h"
+#include "deck/key.h"
+
+/// Walls and motions.
 namespace repose {
 
-template <class V>
-void describe(V& v, MaterialDeck& m) {
-  v("name", m.name, Unit::none, any_value, required, "name, used once: a letter, then letters, digits, _ or -");
-  v("youngs_modulus", m.youngs_modulus, Unit::pascal, above(0), required, "Young's modulus");
-  v("poisson_ratio", m.poisson_ratio, Unit::none, from_to_below(0, 0.5), required, "Poisson's ratio");
-  v("density", m.density, Unit::density, above(0), required, "density of the solid");
+enum class MotionType { translation, oscillation, rotation };
+constexpr auto enumerators(MotionType) {
+  return std::array<std::string_view, 3>{"translation", "oscillation", "rotation"};
 }
 
-template <class V>
-void describe(V& v, PairDeck& p) {
-  v("materials", p.materials, Unit::none, any_value, required, "the two materials, which may be the same");
-  v("restitution", p.restitution, Unit::none, from_to(0, 1), required, "coefficient of restitution");
-  v("sliding_friction", p.sliding_friction, Unit::none, at_least(0), required, "Coulomb's coefficient of friction");
-  v("rolling_friction", p.rolling_friction, Unit::none, at_least(0), required,
-    "coefficient of rolling friction (EPSD2)");
-  v("hooke_stiffness", p.hooke_stiffness, Unit::stiffness, above(0), optional_else("none; normal_law = hooke needs it"),
-    "normal stiffness of normal_law = hooke");
-  v("hooke_tangential_ratio", p.hooke_tangential_ratio, Unit::none, above_to(0, 10), optional,
-    "tangential over normal stiffness of normal_law = hooke");
-}
-
-template <class V>
-void describe(V& v, ContactDeck& c) {
-  v("normal_law", c.normal_law, Unit::none, any_value, optional, "hertz: from the elastic constants; hooke: linear");
-  v("attraction", c.attraction, Unit::none, any_value, optional,
-    "whether the dashpot may pull as the surfaces part; false: damped anew to the same restitution");
-  v("tangential_spring", c.tangential_spring, Unit::none, any_value, optional,
-    "how the spring follows the normal: by its projection, or rotated with its length kept");
-  v("rolling_history", c.rolling_history, Unit::none, any_value, optional,
-    "how the rolling moment follows the normal: not, or rotated with its length kept");
-}
+/// A prescribed motion of a wall or of a block of particles. It advances during its phases only.
+struct MotionDeck {
+  MotionType type = MotionType::translation;
+  Vec3 velocity;                       ///< translation
+  Vec3 amplitude;                      ///< oscillation: displacement amplitude x sin(2 pi frequency t)
+  double frequency = unset;            ///< oscillation
+  Vec3 axis_origin;                    ///< rotation
+  Vec3 axis_direction{0.0, 0.0, 1.0};  ///< rotation
+  double angular_velocity = unset;     ///< rotation, by the right-hand rule
+  std::vector<std::string> phases;     ///< empty: all
+};
 
 template <class V>
 void describe(V& v, MotionDeck& m) {
@@ -56,6 +47,35 @@ void describe(V& v, MotionDeck& m) {
     required.when(is_rotation, "type = rotation"), "about the axis by the right-hand rule");
   v("phases", m.phases, Unit::none, any_value, optional, "phases in which it moves; none named: all");
 }
+
+enum class WallType { profile, plane, disc, rectangle, mesh };
+constexpr auto enumerators(WallType) {
+  return std::array<std::string_view, 5>{"profile", "plane", "disc", "rectangle", "mesh"};
+}
+
+struct WallDeck {
+  std::string name;
+  WallType type = WallType::plane;
+  std::string material;
+  bool present = true;                        ///< false: a phase adds it
+  std::vector<std::array<double, 2>> points;  ///< profile: (r, z) along the polyline
+  Vec3 axis_origin{0.0, 0.0, 0.0};            ///< profile: where z = 0
+  Vec3 axis_direction{0.0, 0.0, 1.0};         ///< profile
+  Vec3 point;                                 ///< plane
+  Vec3 normal{0.0, 0.0, 1.0};                 ///< plane, disc
+  Vec3 centre;                                ///< disc
+  double radius = unset;                      ///< disc
+  Vec3 corner;                                ///< rectangle
+  Vec3 edge_u;                                ///< rectangle: from the corner
+  Vec3 edge_v;                                ///< rectangle: from the corner, perpendicular to edge_u
+  std::string file;                           ///< mesh: path relative to the deck
+  double scale = 1.0;                         ///< mesh: m per unit of length of the file
+  Vec3 rotate_axis{0.0, 0.0, 1.0};            ///< mesh: through the origin of the file
+  double rotate_angle = 0.0;                  ///< mesh: degrees
+  Vec3 translate;                             ///< mesh: after scale and rotation
+  double feature_angle = 20.0;                ///< mesh: degrees; facets that turn by less are one smooth surface
+  std::vector<MotionDeck> motions;            ///< [[wall.motion]], the first one applied first
+};
 
 template <class V>
 void describe_mesh(V& v, WallDeck& w) {

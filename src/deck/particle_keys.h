@@ -1,9 +1,37 @@
 #pragma once
 
-#include "deck/schema_types.h"
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
-/// Schema of the blocks of particles: where they start, how large they are.
+#include "deck/wall_keys.h"
+
+/// Blocks of particles and their sizes.
 namespace repose {
+
+enum class SizesType { classes, lognormal, weibull, uniform, csv };
+enum class Weighting { mass, number };
+constexpr auto enumerators(SizesType) {
+  return std::array<std::string_view, 5>{"classes", "lognormal", "weibull", "uniform", "csv"};
+}
+constexpr auto enumerators(Weighting) { return std::array<std::string_view, 2>{"mass", "number"}; }
+
+struct SizesDeck {
+  bool enabled = false;  ///< true when the block has the section
+  SizesType type = SizesType::classes;
+  Weighting by = Weighting::mass;      ///< what the shares are shares of; csv: its header line says
+  std::vector<double> diameters;       ///< classes
+  std::vector<double> shares;          ///< classes: one per diameter, of any sum
+  double median = unset;               ///< lognormal: half is smaller
+  double geometric_deviation = unset;  ///< lognormal: above 1; 68 % lie between median / and x this
+  double scale = unset;                ///< weibull: diameter that 63.2 % are smaller than
+  double shape = unset;                ///< weibull: exponent
+  double min_diameter = unset;         ///< nothing is smaller (classes: not used)
+  double max_diameter = unset;         ///< nothing is larger (classes: not used)
+  std::string file;                    ///< csv: path relative to the deck
+};
 
 template <class V>
 void describe(V& v, SizesDeck& s) {
@@ -38,6 +66,53 @@ void describe(V& v, SizesDeck& s) {
     "path from the deck's folder; columns diameter, diameter_mm or diameter_um and "
     "cumulative_mass, cumulative_number, share_mass or share_number");
 }
+
+enum class ParticlesType { fill, lattice, csv, snapshot, pour };
+enum class RegionShape { cylinder, box, disc };
+enum class LatticeType { simple_cubic, body_centred, face_centred };
+constexpr auto enumerators(ParticlesType) {
+  return std::array<std::string_view, 5>{"fill", "lattice", "csv", "snapshot", "pour"};
+}
+constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 3>{"cylinder", "box", "disc"}; }
+constexpr auto enumerators(LatticeType) {
+  return std::array<std::string_view, 3>{"simple_cubic", "body_centred", "face_centred"};
+}
+
+/// Whether a file lists the particles of a block with their materials and sizes.
+constexpr bool comes_from_file(ParticlesType type) {
+  return type == ParticlesType::csv || type == ParticlesType::snapshot;
+}
+
+struct ParticlesDeck {
+  ParticlesType type = ParticlesType::fill;
+  std::string material;                             ///< fill, lattice, pour
+  double diameter = unset;                          ///< fill, lattice, pour; or sizes
+  SizesDeck sizes;                                  ///< fill, pour; or diameter
+  double mass = unset;                              ///< fill, pour: total mass; or count
+  std::int64_t count = 0;                           ///< fill, pour: number of particles; or mass
+  RegionShape region = RegionShape::cylinder;       ///< fill, lattice, pour; disc: pour
+  Vec3 centre;                                      ///< cylinder: of the bottom, the axis is vertical (z); disc
+  double radius = unset;                            ///< cylinder: at the bottom; disc
+  double radius_top = unset;                        ///< cylinder: at the top (a cone frustum); default: radius
+  double height = unset;                            ///< cylinder
+  Vec3 min;                                         ///< box
+  Vec3 max;                                         ///< box
+  Vec3 normal{0.0, 0.0, 1.0};                       ///< disc
+  double spacing = unset;                           ///< fill, lattice: lattice constant; fill: default 1.1 diameters
+  double jitter = 1.0;                              ///< fill: share of the free gap that a particle may be moved by
+  LatticeType lattice = LatticeType::simple_cubic;  ///< lattice
+  std::vector<std::int64_t> counts;                 ///< lattice: cells along x, y and z; or region
+  Vec3 first;                                       ///< lattice with counts: first site
+  Vec3 velocity;                                    ///< fill, lattice, pour: initial velocity
+  double rate = unset;                              ///< pour: mass per time; or particle_rate
+  double particle_rate = unset;                     ///< pour: particles per time; or rate
+  double start_time = 0.0;                          ///< pour
+  double interval = unset;                          ///< pour: between batches; default: the time to clear the region
+  std::string file;                                 ///< csv, snapshot: path relative to the deck
+  bool fixed = false;                               ///< held in place, of infinite mass
+  bool rotation_blocked = false;                    ///< moves but never turns
+  std::vector<MotionDeck> motions;                  ///< [[particles.motion]]: held on a prescribed path
+};
 
 template <class V>
 void describe_region(V& v, ParticlesDeck& p) {
@@ -114,5 +189,8 @@ void describe(V& v, ParticlesDeck& p) {
   v.sections("motion", p.motions, optional, "moves the particles along a prescribed path, whatever they touch");
   v.section("sizes", p.sizes, optional.when(is_measured, "type = fill, pour"), "distribution of the diameters");
 }
+
+/// Held on a prescribed path or in place, whatever force acts.
+inline bool is_held(const ParticlesDeck& block) { return block.fixed || !block.motions.empty(); }
 
 }  // namespace repose

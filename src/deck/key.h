@@ -5,16 +5,17 @@
 #include <string>
 #include <string_view>
 
-#include "deck/deck.h"
 #include "deck/units.h"
 
-/// What the schema says of a key beside its name, its member and its meaning. A schema function is called with a
-/// visitor that has
+/// What is said of a key beside its name, its member and its meaning. describe(visitor, section) names the keys of a
+/// section; the reader, the writer and `repose keys` are visitors. A visitor has
 ///   operator()(name, member, Unit, Range, Presence, meaning)    one key
 ///   section(name, struct, Presence, meaning)                    [name]
 ///   sections(name, vector of structs, Presence, meaning)        [[name]], at least one when required
 ///   group(name, function of the visitor)                        sections below [name.
 namespace repose {
+
+inline constexpr double unset = std::numeric_limits<double>::quiet_NaN();  ///< an optional number that was not given
 
 /// The values a number may take; of each component of a vector or a list.
 struct Range {
@@ -52,37 +53,5 @@ struct Presence {
 inline constexpr Presence required{.is_required = true};
 inline constexpr Presence optional{};
 constexpr Presence optional_else(std::string_view fallback) { return {.fallback = fallback}; }
-
-constexpr auto enumerators(Axis) { return std::array<std::string_view, 3>{"x", "y", "z"}; }
-constexpr auto enumerators(DomainFace) {
-  return std::array<std::string_view, 6>{"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
-}
-constexpr auto enumerators(WallType) {
-  return std::array<std::string_view, 5>{"profile", "plane", "disc", "rectangle", "mesh"};
-}
-constexpr auto enumerators(PhaseUntil) {
-  return std::array<std::string_view, 4>{"kinetic_energy", "time", "steps", "tilt_onset"};
-}
-constexpr auto enumerators(MotionType) {
-  return std::array<std::string_view, 3>{"translation", "oscillation", "rotation"};
-}
-constexpr auto enumerators(SizesType) {
-  return std::array<std::string_view, 5>{"classes", "lognormal", "weibull", "uniform", "csv"};
-}
-constexpr auto enumerators(Weighting) { return std::array<std::string_view, 2>{"mass", "number"}; }
-constexpr auto enumerators(ParticlesType) {
-  return std::array<std::string_view, 5>{"fill", "lattice", "csv", "snapshot", "pour"};
-}
-constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 3>{"cylinder", "box", "disc"}; }
-constexpr auto enumerators(LatticeType) {
-  return std::array<std::string_view, 3>{"simple_cubic", "body_centred", "face_centred"};
-}
-constexpr auto enumerators(NormalLaw) { return std::array<std::string_view, 2>{"hertz", "hooke"}; }
-constexpr auto enumerators(TangentialSpring) { return std::array<std::string_view, 2>{"projected", "rotated"}; }
-constexpr auto enumerators(RollingHistory) { return std::array<std::string_view, 2>{"fixed", "rotated"}; }
-constexpr auto enumerators(Integrator) {
-  return std::array<std::string_view, 2>{"velocity_verlet", "synchronised_verlet"};
-}
-constexpr auto enumerators(Camera) { return std::array<std::string_view, 2>{"orthographic", "perspective"}; }
 
 }  // namespace repose

@@ -1,9 +1,22 @@
 #pragma once
 
-#include "deck/schema_types.h"
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
-/// Schema of the measurements. A measurement is made when the deck has its section.
+#include "base/vec3.h"
+#include "deck/key.h"
+
+/// The measurements: one is made when the deck has its section.
 namespace repose {
+
+struct DischargeDeck {
+  bool enabled = false;           ///< true when the deck has the section
+  double orifice_height = unset;  ///< z of the orifice plane; below it counts as discharged
+  double plugged_share = 0.5;     ///< less than this share of the mass discharged: plugged
+};
 
 template <class V>
 void describe(V& v, DischargeDeck& d) {
@@ -12,6 +25,22 @@ void describe(V& v, DischargeDeck& d) {
   v("plugged_share", d.plugged_share, Unit::none, from_to(0, 1), optional,
     "less than this share of the mass discharged: plugged, no angle");
 }
+
+enum class Camera { orthographic, perspective };
+constexpr auto enumerators(Camera) { return std::array<std::string_view, 2>{"orthographic", "perspective"}; }
+
+struct AngleOfReposeDeck {
+  bool enabled = false;         ///< true when the deck has the section
+  double plate_height = unset;  ///< z of the plate's surface
+  double max_height = unset;    ///< z above which grains are no part of the pile; default orifice_height
+  Vec3 axis;                    ///< a point on the pile's vertical axis (x and y count)
+  double fit_from = 0.2;        ///< lower end of the fitted flank, share of the pile's height
+  double fit_to = 0.8;
+  std::int64_t azimuths = 36;  ///< number of view directions over half a turn
+  Camera camera = Camera::orthographic;
+  double camera_distance = unset;  ///< perspective: from the axis
+  double camera_height = unset;    ///< perspective: z of the camera
+};
 
 template <class V>
 void describe(V& v, AngleOfReposeDeck& a) {
@@ -30,6 +59,21 @@ void describe(V& v, AngleOfReposeDeck& a) {
   v("camera_height", a.camera_height, Unit::metre, any_value,
     optional_else("plate_height").when(is_perspective, "camera = perspective"), "z of the camera");
 }
+
+struct ScatteringDeck {
+  bool enabled = false;                                ///< true when the deck has the section
+  double plate_height = unset;                         ///< z of the plate's surface
+  Vec3 plate_min{unset, unset, unset};                 ///< x and y of the plate's edge; default: the domain's
+  Vec3 plate_max{unset, unset, unset};                 ///< as plate_min
+  double max_height = unset;                           ///< z above which grains do not count; default orifice_height
+  Vec3 axis;                                           ///< a point on the vertical axis of the areas (x and y count)
+  double on_plate_gap = 0.25;                          ///< of its diameter: nearer to the plate, a grain lies on it
+  double ring_width = unset;                           ///< to find the base; default two median diameters
+  double base_share = 0.5;                             ///< of the density under the pile, below which the base ends
+  double base_radius = unset;                          ///< from which area 1 is counted; default: as measured
+  double area_1_width = unset, area_3_radius = unset;  ///< of the ring next to the base; of the outermost circle
+  std::vector<double> area_1_widened, area_3_widened;  ///< others to count with
+};
 
 template <class V>
 void describe(V& v, ScatteringDeck& s) {
@@ -58,6 +102,14 @@ void describe(V& v, ScatteringDeck& s) {
     "other radii of the outermost circle to count with");
 }
 
+struct TiltOnsetDeck {
+  bool enabled = false;         ///< true when the deck has the section
+  std::int64_t particle = 0;    ///< id
+  std::string against;          ///< material of what it rests on
+  double displacement = unset;  ///< that is motion; default 0.001 of its radius
+  bool extrapolate = true;      ///< repeats the run at half the rate of tilt and extrapolates to none
+};
+
 template <class V>
 void describe(V& v, TiltOnsetDeck& t) {
   v("particle", t.particle, Unit::none, at_least(0), optional, "its id: particles are numbered as the deck lists them");
@@ -68,6 +120,16 @@ void describe(V& v, TiltOnsetDeck& t) {
   v("extrapolate", t.extrapolate, Unit::none, any_value, optional,
     "repeat the run at half the rate of tilt and extrapolate to a rate of zero");
 }
+
+struct SurfaceAngleDeck {
+  bool enabled = false;  ///< true when the deck has the section
+  Vec3 axis_origin;
+  Vec3 axis_direction{0.0, 1.0, 0.0};
+  double radius = unset;    ///< of the drum
+  double from = 0.0;        ///< time of the first sample
+  double interval = 0.01;   ///< time between samples
+  double half_width = 0.5;  ///< of the fitted part about the drum's axis, share of its radius
+};
 
 template <class V>
 void describe(V& v, SurfaceAngleDeck& s) {

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vec3.h"
+#include "deck/key.h"
+
+/// Phases, the tilt and the time step.
+namespace repose {
+
+enum class Integrator { velocity_verlet, synchronised_verlet };
+constexpr auto enumerators(Integrator) {
+  return std::array<std::string_view, 2>{"velocity_verlet", "synchronised_verlet"};
+}
+
+struct TimeDeck {
+  Integrator integrator = Integrator::velocity_verlet;
+  double step = unset;  ///< given time step; default: from the criteria
+  double rayleigh_fraction = 0.20;
+  double hertz_fraction = 0.10;
+  double hooke_fraction = 0.02;
+  double expected_speed = unset;  ///< default: free fall over the scene's height
+};
+
+template <class V>
+void describe(V& v, TimeDeck& t) {
+  v("integrator", t.integrator, Unit::none, any_value, optional,
+    "synchronised_verlet: histories follow the normal of half a step ago, for sizes that differ by 3 or more");
+  v("rayleigh_fraction", t.rayleigh_fraction, Unit::none, above_to(0, 1), optional,
+    "largest step as a share of the Rayleigh time");
+  v("hertz_fraction", t.hertz_fraction, Unit::none, above_to(0, 1), optional,
+    "largest step as a share of the Hertz time");
+  v("hooke_fraction", t.hooke_fraction, Unit::none, above_to(0, 1), optional,
+    "largest step as a share of the collision time, which replaces both others with normal_law = hooke");
+  v("expected_speed", t.expected_speed, Unit::speed, above(0), optional_else("free fall over the scene's height"),
+    "impact speed of the Hertz time");
+  v("step", t.step, Unit::second, above(0), optional_else("the smallest of the shares"),
+    "time step; longer than the shares allow is an error");
+}
+
+/// The apparatus tilts: gravity turns about an axis the other way.
+struct TiltDeck {
+  bool enabled = false;  ///< true when the deck has the section
+  Vec3 axis_direction{0.0, 1.0, 0.0};
+  double angular_velocity = unset;
+  std::vector<std::string> phases;  ///< empty: all
+};
+
+template <class V>
+void describe(V& v, TiltDeck& t) {
+  v("axis_direction", t.axis_direction, Unit::none, any_value, optional, "direction of the axis, of any length");
+  v("angular_velocity", t.angular_velocity, Unit::angular_speed, any_value, required,
+    "of the apparatus about the axis by the right-hand rule");
+  v("phases", t.phases, Unit::none, any_value, optional, "phases in which it tilts; none named: all");
+}
+
+enum class PhaseUntil { kinetic_energy, time, steps, tilt_onset };
+constexpr auto enumerators(PhaseUntil) {
+  return std::array<std::string_view, 4>{"kinetic_energy", "time", "steps", "tilt_onset"};
+}
+
+struct PhaseDeck {
+  std::string name;
+  PhaseUntil until = PhaseUntil::time;
+  double kinetic_energy = unset;  ///< kinetic_energy: mean translational energy per particle to fall below
+  double time = unset;            ///< time: duration of the phase
+  std::int64_t steps = 0;         ///< steps: length of the phase
+  double min_time = 0.0;
+  double max_time = unset;  ///< ends the phase whatever its condition; required with kinetic_energy
+  std::vector<std::string> remove_walls;
+  std::vector<std::string> add_walls;
+};
+
+template <class V>
+void describe(V& v, PhaseDeck& p) {
+  v("name", p.name, Unit::none, any_value, required, "name, used once");
+  v("until", p.until, Unit::none, any_value, required, "what ends the phase");
+  const bool by_energy = p.until == PhaseUntil::kinetic_energy;
+  v("kinetic_energy", p.kinetic_energy, Unit::joule, above(0), required.when(by_energy, "until = kinetic_energy"),
+    "ends when the mean translational energy per particle is below");
+  v("time", p.time, Unit::second, above(0), required.when(p.until == PhaseUntil::time, "until = time"), "duration");
+  v("steps", p.steps, Unit::none, at_least(1), required.when(p.until == PhaseUntil::steps, "until = steps"),
+    "number of steps");
+  v("min_time", p.min_time, Unit::second, at_least(0), optional.when(by_energy, "until = kinetic_energy"),
+    "the condition is not asked before");
+  v("max_time", p.max_time, Unit::second, above(0),
+    by_energy || p.until == PhaseUntil::tilt_onset ? required
+                                                   : optional_else("none; kinetic_energy and tilt_onset need it"),
+    "ends the phase whatever its condition says");
+  v("remove_walls", p.remove_walls, Unit::none, any_value, optional, "walls that vanish at the start of the phase");
+  v("add_walls", p.add_walls, Unit::none, any_value, optional, "walls that appear at the start of the phase");
+}
+
+}  // namespace repose

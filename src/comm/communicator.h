@@ -58,8 +58,8 @@ struct Traffic {
 class Communicator {
  public:
   explicit Communicator(MPI_Comm parent);
-  /// This rank alone.
-  static Communicator self() { return Communicator(MPI_COMM_SELF); }
+  /// This process alone, also where MPI has not been started: it calls nothing of MPI, has no handle and no parts.
+  static Communicator self() { return {}; }
   /// The ranks of `parent` that give the same group (at least 0), in their order there.
   Communicator(const Communicator& parent, int group);
   ~Communicator();
@@ -106,6 +106,7 @@ class Communicator {
 
   template <class T>
   std::vector<T> all_gather(T value) const {
+    if (is_self()) return {value};
     std::vector<T> all(static_cast<std::size_t>(size_));
     ++traffic_.collectives;
     check_mpi(MPI_Allgather(&value, 1, mpi_type<T>(), all.data(), 1, mpi_type<T>(), comm_), "MPI_Allgather");
@@ -117,6 +118,7 @@ class Communicator {
 
   template <class T>
   void broadcast(T& value, int root = 0) const {
+    if (is_self()) return;
     ++traffic_.collectives;
     check_mpi(MPI_Bcast(&value, 1, mpi_type<T>(), root, comm_), "MPI_Bcast");
   }
@@ -132,11 +134,15 @@ class Communicator {
                                           std::size_t piece = longest_piece) const;
 
   void barrier() const {
+    if (is_self()) return;
     ++traffic_.collectives;
     check_mpi(MPI_Barrier(comm_), "MPI_Barrier");
   }
 
  private:
+  Communicator() = default;
+  bool is_self() const { return comm_ == MPI_COMM_NULL; }
+
   template <class T>
   T reduce(T value, MPI_Op op) const {
     reduce(std::span<T>(&value, 1), op);
@@ -144,6 +150,7 @@ class Communicator {
   }
   template <class T>
   void reduce(std::span<T> values, MPI_Op op) const {
+    if (is_self()) return;
     ++traffic_.collectives;
     check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), mpi_type<T>(), op, comm_),
               "MPI_Allreduce");

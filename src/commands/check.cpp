@@ -1,7 +1,8 @@
-#include "commands/check.h"
-
 #include <fmt/format.h>
 
+#include "commands/command.h"
+#include "deck/read_deck.h"
+#include "files/shared_file.h"
 #include "integration/time_step.h"
 #include "output/progress.h"
 #include "run/phases.h"
@@ -25,8 +26,8 @@ std::string limits_text(const Deck& deck, const TimeStep& dt) {
                      100.0 * deck.time.hertz_fraction, dt.speed);
 }
 
-}  // namespace
-
+/// What a run of this deck would be: particles, time step and what sets it, steps, expected memory and time on `ranks`
+/// ranks. Sets the scene up but runs nothing. DeckError as a run would.
 std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks) {
   const RunPlan plan(deck, read_file);
   const auto& [materials, walls, insertion, dt] = plan;
@@ -61,5 +62,24 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
                         ranks == 1 ? "" : "s");
   return report;
 }
+
+class Check : public Command {
+ public:
+  void declare(Options& options) override { declare_deck(options, deck_, overrides_); }
+
+  void carry_out(Process& process) override {
+    const Communicator& comm = process.ranks();
+    const Deck deck = read_deck(read_shared_file(comm, deck_), deck_, overrides_);
+    process.say(check_report(deck, reader_beside(comm, deck_), comm.size()));
+  }
+
+ private:
+  std::string deck_;
+  std::vector<std::string> overrides_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> check_command() { return std::make_unique<Check>(); }
 
 }  // namespace repose

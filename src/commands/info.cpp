@@ -1,5 +1,3 @@
-#include "commands/info.h"
-
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -9,11 +7,10 @@
 
 #include "base/error.h"
 #include "comm/agreement.h"
+#include "commands/command.h"
 #include "deck/parse_toml.h"
-#include "files/atomic_file.h"
 #include "files/shared_file.h"
 #include "output/file_contents.h"
-#include "output/particle_export.h"
 
 namespace repose {
 namespace {
@@ -94,23 +91,24 @@ std::string describe(FileContents contents, const std::string& file) {
   return lines_of(rows);
 }
 
+class Info : public Command {
+ public:
+  void declare(Options& options) override {
+    options.argument("FILE", file_, "snapshot or checkpoint (.hdf), or grid.h5");
+  }
+
+  void carry_out(Process& process) override {
+    std::string text;
+    agree_after_root(process.ranks(), [&] { text = describe(file_contents(read_whole_file(file_), file_), file_); });
+    process.say(text);
+  }
+
+ private:
+  std::string file_;
+};
+
 }  // namespace
 
-std::string info_of_file(const Communicator& comm, const std::string& file) {
-  std::string text;
-  agree_after_root(comm, [&] { text = describe(file_contents(read_whole_file(file), file), file); });
-  return text;
-}
-
-std::string export_snapshot(const Communicator& comm, const std::string& file, const std::string& format,
-                            const std::string& output) {
-  std::string text;
-  agree_after_root(comm, [&] {
-    const SnapshotParticles snapshot = snapshot_particles(read_whole_file(file), file);
-    write_text_file(output, format == "vtp" ? vtp_text(snapshot) : csv_text(snapshot));
-    text = fmt::format("{} particles in {}\n", snapshot.particles.size(), output);
-  });
-  return text;
-}
+std::unique_ptr<Command> info_command() { return std::make_unique<Info>(); }
 
 }  // namespace repose

@@ -1,33 +1,30 @@
-#include "commands/measure.h"
-
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "comm/agreement.h"
+#include "commands/command.h"
+#include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "files/atomic_file.h"
 #include "files/directory.h"
+#include "files/json_text.h"
 #include "files/shared_file.h"
+#include "output/build_info.h"
 #include "output/snapshot_reader.h"
-#include "run/pile_measurement.h"
+#include "run/measurements/measurement.h"
 #include "scene/insertion/particle_csv.h"
 #include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {
 
-/// The grains of a file, and how many had left before it was written, if it tells.
-struct FinishedState {
-  std::vector<Sphere> grains;
-  std::vector<double> mass;  ///< kg; empty when the materials are unknown
-  std::optional<std::int64_t> left;
-};
+constexpr const char* result_file = "/measurement.json";
 
-FinishedState read_state(const Deck& deck, const std::string& file) {
+FinishedState read_state(const Deck& deck, const std::string& file, const std::string& output) {
   const std::string bytes = read_whole_file(file);
-  FinishedState state;
+  FinishedState state{.deck = deck, .grains = {}, .mass = {}, .left = {}, .directory = output};
   NewParticles particles;
   if (is_snapshot(bytes)) {
     particles = parse_snapshot(bytes, file, deck.materials);
@@ -35,8 +32,9 @@ FinishedState read_state(const Deck& deck, const std::string& file) {
   } else {
     particles = parse_measured_csv(bytes, file, deck.materials);
   }
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.size(); ++i) {
     state.grains.push_back({particles.position[i], particles.radius[i]});
+  }
   for (std::size_t i = 0; i < particles.material.size(); ++i) {
     const auto material = static_cast<std::size_t>(particles.material[i]);
     state.mass.push_back(sphere_mass(particles.radius[i], deck.materials[material].density));
@@ -44,72 +42,96 @@ FinishedState read_state(const Deck& deck, const std::string& file) {
   return state;
 }
 
-void measure_masses(const DischargeDeck& deck, const FinishedState& state, MeasurementSummary& summary) {
-  if (!deck.enabled || state.mass.empty()) return;
-  double below = 0.0;
-  double above = 0.0;
-  for (std::size_t i = 0; i < state.grains.size(); ++i) {
-    (state.grains[i].centre.z < deck.orifice_height ? below : above) += state.mass[i];
+/// The measurements that the deck asks for and a file can answer. DeckError when there is none.
+std::vector<const MeasurementKind*> chosen(const Deck& deck) {
+  std::vector<const MeasurementKind*> kinds;
+  std::vector<std::string> sections;
+  for (const MeasurementKind& kind : measurement_kinds()) {
+    if (kind.measure == nullptr) continue;
+    sections.push_back("[" + kind.section + "]");
+    if (kind.is_enabled(deck)) kinds.push_back(&kind);
   }
-  summary.discharged_mass_kg = below;
-  summary.retained_mass_kg = above;
+  if (!kinds.empty()) return kinds;
+  const std::string last = sections.back();
+  sections.pop_back();
+  throw DeckError(fmt::format("nothing to measure: the deck has none of {} and {}", fmt::join(sections, ", "), last));
 }
 
 /// What an earlier measurement has left in the same directory would pass for this one's.
 void prepare_directory(const std::string& output) {
   create_output_directory(output);
-  for (const char* name : {"measurement.json", silhouette_file, top_view_file}) {
-    std::filesystem::remove(output + "/" + name);
+  std::filesystem::remove(output + result_file);
+  for (const MeasurementKind& kind : measurement_kinds()) {
+    if (kind.measure == nullptr) continue;
+    for (const std::string& name : kind.files) std::filesystem::remove(output + "/" + name);
   }
 }
 
-MeasurementSummary measure(const Deck& deck, const std::string& file, const std::string& output) {
-  const FinishedState state = read_state(deck, file);
-  if (!output.empty()) prepare_directory(output);
-  const auto path = [&](const char* name) { return output.empty() ? std::string() : output + "/" + name; };
-  MeasurementSummary summary;
-  summary.file = file;
-  summary.title = deck.run.title;
-  summary.particles = std::ssize(state.grains);
-  summary.left = state.left;
-  measure_masses(deck.discharge, state, summary);
-  if (deck.angle_of_repose.enabled) {
-    measure_angle_of_repose(deck.angle_of_repose, state.grains, path(silhouette_file), summary.pile);
-  }
-  if (deck.scattering.enabled) {
-    measure_scattering(deck.scattering, state.grains, state.left.value_or(0), path(top_view_file), summary.pile);
-  }
-  summary.build = build_info("");
-  summary.deck = resolved_deck(deck);
-  if (!output.empty()) write_text_file(path("measurement.json"), measurement_json(summary));
-  return summary;
+std::string result_text(const FinishedState& state, const std::string& file, const Figures& figures) {
+  Figures json = {{"file", file},
+                  {"title", state.deck.run.title},
+                  {"particles", state.grains.size()},
+                  {"left", state.left ? Figures(*state.left) : Figures(nullptr)}};
+  json.update(figures);
+  json.update(Figures{{"build", json_of(build_info(""))}, {"deck", resolved_deck(state.deck)}});
+  return json_text(json);
 }
 
-std::string lines_of(const Deck& deck, const MeasurementSummary& s) {
-  std::string text = fmt::format("{} particles{}\n", s.particles,
-                                 s.left ? fmt::format(", {} had left the domain before", *s.left) : std::string());
-  if (s.discharged_mass_kg) {
-    text += fmt::format("below the orifice {:.6g} g, retained {:.6g} g\n", 1e3 * *s.discharged_mass_kg,
-                        1e3 * *s.retained_mass_kg);
+std::string lines_of(const FinishedState& state, const std::vector<const MeasurementKind*>& kinds,
+                     const Figures& figures) {
+  std::string text =
+      fmt::format("{} particles{}\n", state.grains.size(),
+                  state.left ? fmt::format(", {} had left the domain before", *state.left) : std::string());
+  if (const auto below = number_in(figures, "discharged_mass_kg")) {
+    text += fmt::format("below the orifice {:.6g} g, retained {:.6g} g\n", 1e3 * *below,
+                        1e3 * number_in(figures, "retained_mass_kg").value_or(0.0));
   }
-  if (s.pile.pile_height_m) text += fmt::format("height of the pile {:.4g} mm\n", 1e3 * *s.pile.pile_height_m);
-  if (deck.angle_of_repose.enabled && !s.pile.angle_of_repose_deg) text += "no pile, so no angle of repose\n";
-  if (deck.scattering.enabled && !s.pile.scattering) text += "no pile, so no scattering\n";
-  return text + pile_lines(s.pile);
+  if (const auto height = number_in(figures, "pile_height_m")) {
+    text += fmt::format("height of the pile {:.4g} mm\n", 1e3 * *height);
+  }
+  for (const MeasurementKind* kind : kinds) {
+    if (kind->section == "measurement.discharge") continue;  // its line speaks of a run
+    const std::string lines = kind->lines(figures);
+    text += lines.empty() ? fmt::format("no pile, so no {}\n", name_of(*kind)) : lines;
+  }
+  return text;
 }
+
+class Measure : public Command {
+ public:
+  void declare(Options& options) override {
+    options.argument("FILE", file_, "snapshot (.hdf), or CSV with the header x,y,z,radius");
+    options.option("--deck", deck_, "DECK", "deck (TOML) that says what to measure", Options::Need::must);
+    declare_overrides(options, overrides_);
+    options.option("--output", output_, "DIR", "directory of measurement.json and the pictures");
+  }
+
+  void carry_out(Process& process) override {
+    const Deck deck = read_deck(read_shared_file(process.ranks(), deck_), deck_, overrides_);
+    std::string text;
+    agree_after_root(process.ranks(), [&] { text = measure(deck); });
+    process.say(text);
+  }
+
+ private:
+  std::string measure(const Deck& deck) const {
+    const std::vector<const MeasurementKind*> kinds = chosen(deck);
+    const FinishedState state = read_state(deck, file_, output_);
+    if (!output_.empty()) prepare_directory(output_);
+    Figures figures = no_figures(Figure::From::grains);
+    for (const MeasurementKind* kind : kinds) kind->measure(state, figures);
+    if (!output_.empty()) write_text_file(output_ + result_file, result_text(state, file_, figures));
+    return lines_of(state, kinds, figures);
+  }
+
+  std::string file_;
+  std::string deck_;
+  std::vector<std::string> overrides_;
+  std::string output_;
+};
 
 }  // namespace
 
-std::string measure_file(const Communicator& comm, const Deck& deck, const std::string& file,
-                         const std::string& output) {
-  if (!deck.discharge.enabled && !deck.angle_of_repose.enabled && !deck.scattering.enabled) {
-    throw DeckError(
-        "nothing to measure: the deck has none of [measurement.discharge], [measurement.angle_of_repose] and "
-        "[measurement.scattering]");
-  }
-  std::string text;
-  agree_after_root(comm, [&] { text = lines_of(deck, measure(deck, file, output)); });
-  return text;
-}
+std::unique_ptr<Command> measure_command() { return std::make_unique<Measure>(); }
 
 }  // namespace repose

@@ -1,11 +1,10 @@
-#include "commands/thermal.h"
-
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "comm/agreement.h"
+#include "commands/command.h"
 #include "files/atomic_file.h"
 #include "files/directory.h"
 #include "files/json_text.h"
@@ -23,16 +22,6 @@ namespace {
 
 using thermal::Json;
 
-struct Tool {
-  std::string_view name;
-  thermal::ToolResult (*run)(const thermal::ToolInput& input);
-};
-
-constexpr Tool tools[] = {{"bed", thermal::bed_tool},         {"compare", thermal::compare_tool},
-                          {"mixture", thermal::mixture_tool}, {"network", thermal::network_tool},
-                          {"sensor", thermal::sensor_tool},   {"synthesise", thermal::synthesise_tool},
-                          {"tps", thermal::tps_tool}};
-
 /// A figure that is none: what the deck or the files say is too far from anything physical for the formulas.
 void check_finite(const Json& value, const std::string& name, const std::string& deck) {
   if (value.is_number_float() && !std::isfinite(value.get<double>())) {
@@ -43,39 +32,77 @@ void check_finite(const Json& value, const std::string& name, const std::string&
   for (const auto& [key, inner] : value.items()) check_finite(inner, name.empty() ? key : name + "." + key, deck);
 }
 
-thermal::ToolResult result_of(const ThermalRequest& request) {
-  thermal::ToolInput input{{request.deck, read_whole_file(request.deck)}, request.overrides, {}};
-  for (const std::string& file : request.files) input.files.push_back({file, read_whole_file(file)});
-  for (const Tool& tool : tools) {
-    if (tool.name != request.tool) continue;
-    thermal::ToolResult result = tool.run(input);
-    check_finite(result.json, "", request.deck);
-    return result;
-  }
-  throw DeckError(fmt::format("there is no thermal tool \"{}\"", request.tool));
-}
+/// What data a tool takes beside its deck.
+enum class Data { none, files, two_files };
 
-/// The tables first: the JSON appears when everything is there.
-void write(const ThermalRequest& request, const thermal::ToolResult& result) {
-  create_output_directory(request.output);
-  for (const thermal::DataFile& table : result.tables)
-    write_text_file(fmt::format("{}/{}", request.output, table.name), table.bytes);
-  Json json = result.json;
-  json["deck"] = {{"file", request.deck}, {"set", request.overrides}, {"text", read_whole_file(request.deck)}};
-  json["build"] = json_of(build_info(""));
-  write_text_file(fmt::format("{}/{}.json", request.output, request.tool), json_text(json));
+/// One of the thermal tools (thermal/tools): it takes data and its deck as an option, like measure, or no data and its
+/// deck as the argument.
+class ThermalTool : public Command {
+ public:
+  using Tool = thermal::ToolResult (*)(const thermal::ToolInput& input);
+  ThermalTool(std::string name, Data data, Tool tool) : name_(std::move(name)), data_(data), tool_(tool) {}
+
+  void declare(Options& options) override {
+    if (data_ == Data::files) options.arguments("FILE", files_, "data; several are allowed");
+    if (data_ == Data::two_files) options.arguments("FILES", files_, "two files", 2, "A B");
+    if (data_ == Data::none) {
+      options.argument("DECK", deck_, "deck (TOML)");
+    } else {
+      options.option("--deck", deck_, "DECK", "deck (TOML)", Options::Need::must);
+    }
+    declare_overrides(options, overrides_);
+    options.option("--output", output_, "DIR", "directory of the JSON result");
+  }
+
+  void carry_out(Process& process) override {
+    std::string text;
+    agree_after_root(process.ranks(), [&] {
+      thermal::ToolInput input{{deck_, read_whole_file(deck_)}, overrides_, {}};
+      for (const std::string& file : files_) input.files.push_back({file, read_whole_file(file)});
+      const thermal::ToolResult result = tool_(input);
+      check_finite(result.json, "", deck_);
+      text = result.text;
+      if (!output_.empty()) write(result);
+    });
+    process.say(text);
+  }
+
+ private:
+  /// The tables first: the JSON appears when everything is there.
+  void write(const thermal::ToolResult& result) const {
+    create_output_directory(output_);
+    for (const thermal::DataFile& table : result.tables) {
+      write_text_file(fmt::format("{}/{}", output_, table.name), table.bytes);
+    }
+    Json json = result.json;
+    json["deck"] = {{"file", deck_}, {"set", overrides_}, {"text", read_whole_file(deck_)}};
+    json["build"] = json_of(build_info(""));
+    write_text_file(fmt::format("{}/{}.json", output_, name_), json_text(json));
+  }
+
+  std::string name_;
+  Data data_;
+  Tool tool_;
+  std::string deck_;
+  std::vector<std::string> overrides_;
+  std::vector<std::string> files_;
+  std::string output_;
+};
+
+std::unique_ptr<Command> tool(const char* name, Data data, ThermalTool::Tool run) {
+  return std::make_unique<ThermalTool>(name, data, run);
 }
 
 }  // namespace
 
-std::string run_thermal_tool(const Communicator& comm, const ThermalRequest& request) {
-  std::string text;
-  agree_after_root(comm, [&] {
-    const thermal::ToolResult result = result_of(request);
-    text = result.text;
-    if (!request.output.empty()) write(request, result);
-  });
-  return text;
+std::unique_ptr<Command> thermal_bed_command() { return tool("bed", Data::none, thermal::bed_tool); }
+std::unique_ptr<Command> thermal_network_command() { return tool("network", Data::files, thermal::network_tool); }
+std::unique_ptr<Command> thermal_tps_command() { return tool("tps", Data::files, thermal::tps_tool); }
+std::unique_ptr<Command> thermal_synthesise_command() {
+  return tool("synthesise", Data::none, thermal::synthesise_tool);
 }
+std::unique_ptr<Command> thermal_sensor_command() { return tool("sensor", Data::none, thermal::sensor_tool); }
+std::unique_ptr<Command> thermal_mixture_command() { return tool("mixture", Data::none, thermal::mixture_tool); }
+std::unique_ptr<Command> compare_command() { return tool("compare", Data::two_files, thermal::compare_tool); }
 
 }  // namespace repose

@@ -89,20 +89,11 @@ void check_wall_shapes(const Deck& deck, DeckErrors& errors) {
   for (std::size_t i = 0; i < deck.walls.size(); ++i) {
     const std::string section = fmt::format("wall.{}", i);
     const WallDeck& wall = deck.walls[i];
-    switch (wall.type) {
-      case WallType::profile:
-        check_profile(section, wall, errors);
-        break;
-      case WallType::plane:
-      case WallType::disc:
-        check_direction(section, "normal", wall.normal, errors);
-        break;
-      case WallType::rectangle:
-        check_rectangle(section, wall, errors);
-        break;
-      case WallType::mesh:
-        check_direction(section, "rotate_axis", wall.rotate_axis, errors);
-        break;
+    if (wall.type == WallType::profile) check_profile(section, wall, errors);
+    if (wall.type == WallType::rectangle) check_rectangle(section, wall, errors);
+    if (wall.type == WallType::mesh) check_direction(section, "rotate_axis", wall.rotate_axis, errors);
+    if (wall.type == WallType::plane || wall.type == WallType::disc) {
+      check_direction(section, "normal", wall.normal, errors);
     }
   }
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "measurement/clusters.h"
-#include "scene/walls/wall_shapes.h"
+#include "scene/walls/unit_vector.h"
 
 namespace repose {
 namespace {

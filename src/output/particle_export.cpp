@@ -88,4 +88,12 @@ std::string csv_text(const SnapshotParticles& snapshot) {
   return text;
 }
 
+const std::vector<ExportFormat>& export_formats() {
+  static const std::vector<ExportFormat> formats = {
+      {"vtp", "PolyData of VTK", vtp_text},
+      {"csv", "a list that measure and decks read", csv_text},
+  };
+  return formats;
+}
+
 }  // namespace repose

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "output/file_contents.h"
 
@@ -14,5 +15,13 @@ std::string vtp_text(const SnapshotParticles& snapshot);
 /// Particles as a list that `repose measure` and decks read: x,y,z,vx,vy,vz,wx,wy,wz,radius,material, in numbers that
 /// read back exactly.
 std::string csv_text(const SnapshotParticles& snapshot);
+
+/// A format of `repose export`.
+struct ExportFormat {
+  std::string name;
+  std::string meaning;  ///< in the help
+  std::string (*text)(const SnapshotParticles& snapshot);
+};
+const std::vector<ExportFormat>& export_formats();
 
 }  // namespace repose

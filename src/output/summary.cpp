@@ -55,14 +55,6 @@ Json phases_json(const std::vector<PhaseSummary>& phases) {
   return list;
 }
 
-Json tilt_onsets_json(const std::vector<TiltOnsetSummary>& onsets) {
-  Json list = Json::array();
-  for (const TiltOnsetSummary& onset : onsets) {
-    list.push_back({{"rate_deg_s", onset.rate_deg_s}, {"onset_deg", onset.onset_deg}});
-  }
-  return list;
-}
-
 Json timing_json(const Summary& summary) {
   Json stages = Json::object();
   for (const StageSummary& stage : summary.stages) {
@@ -107,36 +99,6 @@ Json memory_json(const Summary& summary) {
           {"bytes_per_particle", json_number(summary.memory_bytes_per_particle)}};
 }
 
-Json area_json(const AreaCount& area) {
-  return {{"from_m", area.from}, {"to_m", json_number(area.to)}, {"count", area.count}, {"error", area.error}};
-}
-
-Json areas_json(const std::vector<AreaCount>& areas) {
-  Json list = Json::array();
-  for (const AreaCount& area : areas) list.push_back(area_json(area));
-  return list;
-}
-
-Json scattering_json(const std::optional<Scattering>& s) {
-  if (!s) return nullptr;
-  return {{"base_diameter_m", s->measured_base_radius ? Json(2.0 * *s->measured_base_radius) : Json(nullptr)},
-          {"area_1", area_json(s->area_1)},
-          {"area_2", s->area_2 ? area_json(*s->area_2) : Json(nullptr)},
-          {"area_3", area_json(s->area_3)},
-          {"area_1_widened", areas_json(s->area_1_widened)},
-          {"area_3_widened", areas_json(s->area_3_widened)},
-          {"off_plate", s->off_plate}};
-}
-
-Json pile_json(const PileSummary& pile) {
-  return {{"angle_of_repose_deg", json_number(pile.angle_of_repose_deg)},
-          {"angle_of_repose_left_deg", json_number(pile.angle_of_repose_left_deg)},
-          {"angle_of_repose_right_deg", json_number(pile.angle_of_repose_right_deg)},
-          {"angle_of_repose_stderr_deg", json_number(pile.angle_of_repose_stderr_deg)},
-          {"pile_height_m", json_number(pile.pile_height_m)},
-          {"scattering", scattering_json(pile.scattering)}};
-}
-
 }  // namespace
 
 std::string summary_json(const Summary& summary) {
@@ -151,21 +113,10 @@ std::string summary_json(const Summary& summary) {
       {"particles", particles_json(summary)},
       {"sizes", sizes_json(summary.sizes)},
       {"state_hash", summary.state_hash},
-      {"discharged_mass_kg", json_number(summary.discharged_mass_kg)},
-      {"retained_mass_kg", json_number(summary.retained_mass_kg)},
-      {"discharge_time_s", json_number(summary.discharge_time_s)},
-      {"discharge_rate_kg_s", json_number(summary.discharge_rate_kg_s)},
-      {"plugged", summary.plugged ? Json(*summary.plugged) : Json(nullptr)},
       {"phases", phases_json(summary.phases)},
   };
-  json.update(pile_json(summary.pile));
+  json.update(summary.figures);
   json.update(Json{
-      {"tilt_onset_deg", json_number(summary.tilt_onset_deg)},
-      {"tilt_onset_excess_deg", json_number(summary.tilt_onset_excess_deg)},
-      {"tilt_onsets", tilt_onsets_json(summary.tilt_onsets)},
-      {"surface_angle_deg", json_number(summary.surface_angle_deg)},
-      {"surface_angle_deviation_deg", json_number(summary.surface_angle_deviation_deg)},
-      {"surface_angle_samples", summary.surface_angle_samples},
       {"restarts", summary.restarts},
       {"wall_seconds", json_number(summary.wall_seconds)},
       {"particle_steps_per_second", json_number(summary.particle_steps_per_second)},
@@ -176,18 +127,6 @@ std::string summary_json(const Summary& summary) {
       {"build", json_of(summary.build)},
       {"deck", summary.deck},
   });
-  return json_text(json);
-}
-
-std::string measurement_json(const MeasurementSummary& m) {
-  Json json = {{"file", m.file},
-               {"title", m.title},
-               {"particles", m.particles},
-               {"left", m.left ? Json(*m.left) : Json(nullptr)},
-               {"discharged_mass_kg", json_number(m.discharged_mass_kg)},
-               {"retained_mass_kg", json_number(m.retained_mass_kg)}};
-  json.update(pile_json(m.pile));
-  json.update(Json{{"build", json_of(m.build)}, {"deck", m.deck}});
   return json_text(json);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "measurement/scattering.h"
+#include <nlohmann/json.hpp>
+
 #include "output/build_info.h"
 #include "scene/sizes/size_report.h"
 
@@ -30,12 +30,6 @@ struct ExitSummary {
   std::string name;
   std::int64_t particles = 0;
   double mass_kg = 0.0;
-};
-
-/// The tilt at which a particle began to move.
-struct TiltOnsetSummary {
-  double rate_deg_s = 0.0;
-  double onset_deg = 0.0;
 };
 
 /// Wall time that the ranks spent on one stage of the time loop.
@@ -72,30 +66,7 @@ struct CheckpointCost {
   double longest = 0.0;  ///< s, of the slowest
 };
 
-/// What was measured of a pile and around it.
-struct PileSummary {
-  std::optional<double> angle_of_repose_deg;
-  std::optional<double> angle_of_repose_left_deg;
-  std::optional<double> angle_of_repose_right_deg;
-  std::optional<double> angle_of_repose_stderr_deg;
-  std::optional<double> pile_height_m;
-  std::optional<Scattering> scattering;
-};
-
-/// What `repose measure` finds in a file.
-struct MeasurementSummary {
-  std::string file;
-  std::string title;  ///< of the deck
-  std::int64_t particles = 0;
-  std::optional<std::int64_t> left;          ///< grains that have left the domain; a list does not tell
-  std::optional<double> discharged_mass_kg;  ///< of the grains in the file
-  std::optional<double> retained_mass_kg;
-  PileSummary pile;
-  BuildInfo build;
-  std::string deck;  ///< resolved, TOML
-};
-
-/// Every measured figure of a run. A figure that was not measured or does not exist (the angle of no pile) is empty.
+/// What is known of a run at its end.
 struct Summary {
   std::string status;
   std::string title;
@@ -111,21 +82,11 @@ struct Summary {
   std::vector<ExitSummary> exits;
   std::vector<SizeReport> sizes;  ///< of the blocks with [particles.sizes]
   std::string state_hash;
-  std::optional<double> discharged_mass_kg;
-  std::optional<double> retained_mass_kg;
-  std::optional<double> discharge_time_s;
-  std::optional<double> discharge_rate_kg_s;
-  std::optional<bool> plugged;
   std::vector<PhaseSummary> phases;
-  PileSummary pile;
-  std::vector<TiltOnsetSummary> tilt_onsets;
-  std::optional<double> tilt_onset_deg;               ///< at a rate of tilt of zero, if that was asked for
-  std::optional<double> tilt_onset_excess_deg;        ///< over the angle of friction
-  std::optional<double> surface_angle_deg;            ///< of the bed in a drum, mean of the samples
-  std::optional<double> surface_angle_deviation_deg;  ///< standard deviation of the samples
-  std::int64_t surface_angle_samples = 0;
-  std::int64_t restarts = 0;  ///< from checkpoints
-  double wall_seconds = 0.0;  ///< with what the earlier processes took until their last checkpoint
+  nlohmann::ordered_json figures =
+      nlohmann::ordered_json::object();  ///< what was measured, by key; null: nothing there
+  std::int64_t restarts = 0;             ///< from checkpoints
+  double wall_seconds = 0.0;             ///< with what the earlier processes took until their last checkpoint
   double particle_steps_per_second = 0.0;
   double loop_wall_seconds = 0.0;  ///< of the time loop alone, without set-up and final measurements, since the restart
   double loop_cpu_seconds = 0.0;   ///< the same, processor time of all ranks
@@ -147,8 +108,6 @@ struct Summary {
 
 /// The summary as JSON; empty and non-finite numbers become null.
 std::string summary_json(const Summary& summary);
-
-std::string measurement_json(const MeasurementSummary& measurement);
 
 /// Writes the summary to `path`, whole or not at all. Throws FileError. For rank 0.
 void write_summary(const std::string& path, const Summary& summary);

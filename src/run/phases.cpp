@@ -33,15 +33,14 @@ Phase::Phase(const PhaseDeck& deck, Simulation& simulation, std::int64_t first_s
   simulation.begin_phase(deck.name);
 }
 
-std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::int64_t check_every,
-                                           bool onset_seen) const {
+std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::int64_t check_every, bool seen) const {
   const std::int64_t done = steps_done(simulation);
   const bool is_asked = done >= least_ && simulation.steps() % check_every == 0 && !simulation.awaits_particles();
   if (deck_.until == PhaseUntil::kinetic_energy && is_asked) {
     const double mean = mean_kinetic_energy(simulation.comm(), simulation.materials(), simulation.particles());
     if (mean < deck_.kinetic_energy) return "kinetic_energy";
   }
-  if (deck_.until == PhaseUntil::tilt_onset && onset_seen) return "tilt_onset";
+  if (deck_.until == PhaseUntil::tilt_onset && seen) return "tilt_onset";
   if (done < longest_) return {};
   const double dt = simulation.time_step().step;
   if (deck_.until == PhaseUntil::time && steps_for(deck_.time, dt) <= done) return "time";

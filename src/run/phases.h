@@ -24,9 +24,8 @@ class Phase {
 
   /// Collective. Empty while the phase goes on; else the condition that ended it: "kinetic_energy", "time", "steps",
   /// "tilt_onset" or "max_time". Energies are looked at every `check_every` steps, but not while particles are poured;
-  /// whether the onset of motion has been seen the caller knows.
-  std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every,
-                                      bool onset_seen = false) const;
+  /// the caller knows whether a measurement has `seen` what the phase waits for.
+  std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every, bool seen = false) const;
 
   std::int64_t first_step() const { return first_step_; }
   std::int64_t steps_done(const Simulation& simulation) const { return simulation.steps() - first_step_; }

@@ -20,8 +20,6 @@
 #include "output/progress.h"
 #include "output/snapshot.h"
 #include "run/cost.h"
-#include "run/incline.h"
-#include "run/pile_measurement.h"
 
 namespace repose {
 namespace {
@@ -78,8 +76,11 @@ Recorder::Recorder(const Simulation& simulation, const OutputOptions& options, E
     if (deck.output.trace) trace_ = std::make_unique<Trace>(path("trace.csv"), existing);
   });
   if (!deck.walls.empty()) wall_loads_.emplace(simulation, path("walls.csv"), existing);
-  if (deck.surface_angle.enabled) surface_angle_.emplace(simulation, path("surface_angle.csv"), existing);
-  if (deck.tilt_onset.enabled) tilt_onset_.emplace(deck.tilt_onset);
+  for (const MeasurementKind& kind : measurement_kinds()) {
+    if (kind.watch != nullptr && kind.is_enabled(deck)) {
+      watches_.push_back({&kind, kind.watch(simulation, {options_.directory, existing})});
+    }
+  }
   inside_ = inside(simulation);
   if (deck.output.trace && existing == Existing::replace) write_trace(simulation);
 }
@@ -101,19 +102,20 @@ std::int64_t Recorder::inside(const Simulation& simulation) const {
 void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
   if (!opened_ && phase.deck().name == opening_phase_) {
     opened_ = true;
-    sample_discharge(simulation);
+    for (const Watched& w : watches_) w.watch->vessel_opens(simulation);
   }
   if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
-  if (tilt_onset_) sample_tilt_onset(simulation, *tilt_onset_);
+  for (const Watched& w : watches_) w.watch->phase_begins(simulation);
 }
 
 Recorder::Due Recorder::due_at(std::int64_t step, const Deck& deck) const {
-  return {.trace = deck.output.trace && step % deck.output.trace_every == 0,
-          .check = step % deck.run.check_every == 0,
-          .series = series_every_ > 0 && step % series_every_ == 0,
-          .snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) ||
-                      std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end(),
-          .surface_angle = surface_angle_ && surface_angle_->is_due(step)};
+  return {
+      .trace = deck.output.trace && step % deck.output.trace_every == 0,
+      .check = step % deck.run.check_every == 0,
+      .series = series_every_ > 0 && step % series_every_ == 0,
+      .snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) ||
+                  std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end(),
+      .sample = std::any_of(watches_.begin(), watches_.end(), [&](const Watched& w) { return w.watch->is_due(step); })};
 }
 
 std::int64_t Recorder::steps_to_next(const Simulation& simulation) const {
@@ -131,30 +133,28 @@ void Recorder::steps_done(const Simulation& simulation, const Phase& phase) {
   if (due.trace) write_trace(simulation);
   if (due.check) {
     inside_ = inside(simulation);
-    if (opened_) sample_discharge(simulation);
-    if (tilt_onset_) sample_tilt_onset(simulation, *tilt_onset_);
+    for (const Watched& w : watches_) w.watch->look(simulation);
     report_progress(simulation, phase);
   }
   if (due.series) write_series_row(simulation, phase.deck().name);
-  if (due.surface_angle) surface_angle_->sample(simulation);
+  for (const Watched& w : watches_) {
+    if (w.watch->is_due(step)) w.watch->sample(simulation);
+  }
   if (due.snapshot) write_snapshot_now(simulation);
 }
 
 void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, const std::string& ended_by) {
   settled_steps_ += longest_steps(phase.deck(), simulation.time_step().step);
   phases_.push_back({phase.deck().name, phase.steps_done(simulation), ended_by});
-  if (opened_) sample_discharge(simulation);
+  for (const Watched& w : watches_) w.watch->phase_ends(simulation);
   if (simulation.comm().is_root()) {
     options_.log.say(fmt::format("phase {} ended by {} at {:.6g} s after {} steps", phase.deck().name, ended_by,
                                  simulation.time(), phase.steps_done(simulation)));
   }
 }
 
-void Recorder::sample_discharge(const Simulation& simulation) {
-  if (!simulation.deck().discharge.enabled) return;
-  const double mass = discharged_mass_of(simulation);
-  const auto& samples = discharge_.samples();
-  if (samples.empty() || simulation.time() > samples.back().time) discharge_.add(simulation.time(), mass);
+bool Recorder::has_seen(PhaseUntil condition) const {
+  return std::any_of(watches_.begin(), watches_.end(), [&](const Watched& w) { return w.watch->has_seen(condition); });
 }
 
 void Recorder::write_series_row(const Simulation& simulation, const std::string& phase) {
@@ -237,6 +237,31 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
   last_progress_step_ = simulation.steps();
 }
 
+/// What the watches have seen, and what can be told from the grains at the end. What cannot be measured, such as with a
+/// camera inside the pile, must not cost the rest of a run's results.
+Figures Recorder::measured(const Simulation& simulation, const ReadFile& read_file, std::int64_t left) const {
+  const Deck& deck = simulation.deck();
+  Figures figures = no_figures();
+  for (const Watched& w : watches_) w.watch->finish(simulation, read_file, figures);
+  std::vector<const MeasurementKind*> of_grains;
+  for (const MeasurementKind& kind : measurement_kinds()) {
+    if (kind.watch == nullptr && kind.is_enabled(deck)) of_grains.push_back(&kind);
+  }
+  if (of_grains.empty()) return figures;
+  FinishedState state{
+      .deck = deck, .grains = gather_grains(simulation), .mass = {}, .left = left, .directory = options_.directory};
+  agree_after_root(simulation.comm(), [&] {
+    for (const MeasurementKind* kind : of_grains) {
+      try {
+        kind->measure(state, figures);
+      } catch (const DeckError& error) {
+        options_.log.warn(fmt::format("no {}: {}", name_of(*kind), error.what()));
+      }
+    }
+  });
+  return figures;
+}
+
 Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file, const CheckpointCost& checkpoints) {
   const Communicator& comm = simulation.comm();
   Summary s;
@@ -266,19 +291,7 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
   }
   s.state_hash = state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
   s.phases = phases_;
-  if (simulation.deck().discharge.enabled && opened_) {
-    const double total = total_mass(comm, simulation.materials(), simulation.mass_unit(), simulation.particles(),
-                                    simulation.left_here());
-    const Discharge d = discharge_.result(total, simulation.deck().discharge.plugged_share);
-    s.discharged_mass_kg = d.mass;
-    s.retained_mass_kg = d.retained_mass;
-    s.discharge_time_s = d.time;
-    s.discharge_rate_kg_s = d.rate;
-    s.plugged = d.plugged;
-  }
-  summarise_pile(simulation, options_.directory, options_.log, s);
-  if (surface_angle_) surface_angle_->summarise(s);
-  if (tilt_onset_) summarise_tilt_onset(simulation, read_file, *tilt_onset_, s);
+  s.figures = measured(simulation, read_file, s.left);
   const Effort all = effort();
   s.restarts = all.restarts;
   s.wall_seconds = all.wall_seconds;

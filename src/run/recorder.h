@@ -7,16 +7,14 @@
 #include <type_traits>
 
 #include "base/wall_clock.h"
-#include "measurement/discharge.h"
-#include "measurement/tilt_onset.h"
 #include "output/build_info.h"
 #include "output/run_log.h"
 #include "output/snapshot_series.h"
 #include "output/summary.h"
 #include "output/time_series.h"
 #include "output/trace.h"
+#include "run/measurements/measurement.h"
 #include "run/phases.h"
-#include "run/surface_angle_series.h"
 #include "run/wall_load_series.h"
 #include "simulation/simulation.h"
 
@@ -45,9 +43,9 @@ struct Effort {
   }
 };
 
-/// Watches a running simulation: samples the discharge, writes the time series, the trace, the snapshots and the
-/// progress lines when they are due, and measures everything at the end. All members but the constructor's plain copies
-/// are collective; only rank 0 writes text.
+/// Watches a running simulation: leads the measurements, writes the time series, the trace, the snapshots and the
+/// progress lines when they are due. All members but the constructor's plain copies are collective; only rank 0 writes
+/// text.
 class Recorder {
  public:
   /// Begins the files anew, or goes on with those of an earlier process: then its state is to be read (describe_state)
@@ -66,7 +64,8 @@ class Recorder {
 
   /// Last snapshot, angle of repose and silhouette picture, summary.json. The summary is complete on rank 0.
   Summary finish(const Simulation& simulation, const ReadFile& read_file, const CheckpointCost& checkpoints);
-  bool onset_seen() const { return tilt_onset_ && tilt_onset_->onset(); }
+  /// Whether a measurement has seen what a phase with this condition waits for.
+  bool has_seen(PhaseUntil condition) const;
 
   /// That of rank 0 counts, which holds the files.
   template <class Self, class Visitor>
@@ -75,11 +74,9 @@ class Recorder {
     v("last_snapshot", self.last_snapshot_);
     v("last_series", self.last_series_);
     v("opened", self.opened_);
-    v("discharge", self.discharge_);
     v("snapshots", self.snapshots_);
     v("phases", self.phases_);
-    if (self.tilt_onset_) v("tilt_onset", *self.tilt_onset_);
-    if (self.surface_angle_) v("surface_angle", *self.surface_angle_);
+    for (const auto& [kind, watch] : self.watches_) v(kind->section.c_str(), *watch);
     if (self.wall_loads_) v("wall_loads", *self.wall_loads_);
     if (self.series_) v("series", *self.series_);
     if (self.trace_) v("trace", *self.trace_);
@@ -93,14 +90,14 @@ class Recorder {
  private:
   /// What is to be done at a step.
   struct Due {
-    bool trace, check, series, snapshot, surface_angle;
-    bool anything() const { return trace || check || series || snapshot || surface_angle; }
+    bool trace, check, series, snapshot, sample;
+    bool anything() const { return trace || check || series || snapshot || sample; }
   };
   Due due_at(std::int64_t step, const Deck& deck) const;
   Effort effort() const;
   void remove_earlier_results() const;
   void remove_snapshots_after(std::int64_t step) const;
-  void sample_discharge(const Simulation& simulation);
+  Figures measured(const Simulation& simulation, const ReadFile& read_file, std::int64_t left) const;
   void write_series_row(const Simulation& simulation, const std::string& phase);
   void write_trace(const Simulation& simulation);
   void write_snapshot_now(const Simulation& simulation);
@@ -118,9 +115,11 @@ class Recorder {
   std::int64_t last_series_ = -1;    ///< step
   std::string opening_phase_;        ///< the first that removes a wall; the first of all when none does
   bool opened_ = false;
-  DischargeRecord discharge_;
-  std::optional<TiltOnset> tilt_onset_;
-  std::optional<SurfaceAngleSeries> surface_angle_;
+  struct Watched {
+    const MeasurementKind* kind;
+    std::unique_ptr<Watch> watch;
+  };
+  std::vector<Watched> watches_;
   std::optional<WallLoadSeries> wall_loads_;
   std::unique_ptr<TimeSeries> series_;  ///< rank 0
   std::unique_ptr<Trace> trace_;        ///< rank 0

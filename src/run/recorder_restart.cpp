@@ -2,7 +2,6 @@
 
 #include "comm/agreement.h"
 #include "files/step_file.h"
-#include "run/pile_measurement.h"
 #include "run/recorder.h"
 
 namespace repose {
@@ -20,7 +19,7 @@ void Recorder::sync_files(const Communicator& comm) {
     series_->sync();
     if (trace_) trace_->sync();
     if (wall_loads_) wall_loads_->sync();
-    if (surface_angle_) surface_angle_->sync();
+    for (const Watched& w : watches_) w.watch->sync();
   });
 }
 
@@ -30,9 +29,11 @@ Effort Recorder::effort() const {
 
 /// What an earlier run has left in the same directory would pass for this one's.
 void Recorder::remove_earlier_results() const {
-  for (const char* name : {"summary.json", silhouette_file, top_view_file, "run.hdf.series", "trace.csv", "walls.csv",
-                           "surface_angle.csv"}) {
+  for (const char* name : {"summary.json", "run.hdf.series", "trace.csv", "walls.csv"}) {
     std::filesystem::remove(path(name));
+  }
+  for (const MeasurementKind& kind : measurement_kinds()) {
+    for (const std::string& name : kind.files) std::filesystem::remove(path(name));
   }
   remove_snapshots_after(-1);
 }

@@ -110,7 +110,8 @@ class Run {
   std::string go_through(const Phase& phase) {
     while (true) {
       const std::int64_t check_every = simulation_.deck().run.check_every;
-      if (auto condition = phase.ended_by(simulation_, check_every, recorder_.onset_seen())) return *condition;
+      if (auto condition = phase.ended_by(simulation_, check_every, recorder_.has_seen(phase.deck().until)))
+        return *condition;
       simulation_.advance(std::min({phase.steps_left(simulation_), recorder_.steps_to_next(simulation_),
                                     checkpoints_.steps_to_next(simulation_.steps())}));
       if (const auto warning = simulation_.take_warning(); warning && simulation_.comm().is_root()) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/walls/unit_vector.h"
+
 namespace repose {
 
 MovingScene::MovingScene(const Deck& deck, std::vector<Wall> walls)

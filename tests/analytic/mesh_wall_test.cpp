@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "scene/walls/wall_shapes.h"
+#include "scene/walls/wall_shape.h"
 #include "support/meshes.h"
 #include "support/scenes.h"
 

@@ -37,8 +37,9 @@ Deck deck_with(const std::vector<ParticlesDeck>& blocks) {
   deck.materials[0].density = 7800.0;
   deck.materials[1].name = "grain";
   deck.materials[1].density = 1000.0;
-  deck.pairs = {
-      {{0.5, 0.5, 0.1}, {"steel", "steel"}}, {{0.5, 0.5, 0.1}, {"steel", "grain"}}, {{0.5, 0.5, 0.1}, {"grain", "grain"}}};
+  deck.pairs = {{{0.5, 0.5, 0.1}, {"steel", "steel"}},
+                {{0.5, 0.5, 0.1}, {"steel", "grain"}},
+                {{0.5, 0.5, 0.1}, {"grain", "grain"}}};
   deck.particles = blocks;
   return deck;
 }

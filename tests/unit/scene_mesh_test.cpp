@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "scene/walls/unit_vector.h"
 #include "scene/walls/wall.h"
 #include "support/meshes.h"
 

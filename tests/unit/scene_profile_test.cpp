@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/math.h"
+#include "scene/walls/unit_vector.h"
 #include "scene_samples.h"
 #include "scene_walls.h"
 

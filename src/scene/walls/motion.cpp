@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/walls/wall_shapes.h"
+#include "scene/walls/unit_vector.h"
 
 namespace repose {
 namespace {

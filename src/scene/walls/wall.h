@@ -1,13 +1,11 @@
 #pragma once
 
 #include <string>
-#include <variant>
 
 #include "deck/deck.h"
 #include "files/read_file.h"
 #include "scene/walls/motion.h"
-#include "scene/walls/wall_mesh.h"
-#include "scene/walls/wall_shapes.h"
+#include "scene/walls/wall_shape.h"
 
 namespace repose {
 
@@ -16,7 +14,7 @@ struct Wall {
   std::string name;
   int material = 0;     ///< index into the deck's materials
   bool present = true;  ///< false until a phase adds it
-  std::variant<Plane, Rectangle, Profile, Mesh> shape;
+  WallShape shape;
   Motions motions;          ///< what moves it
   bool travels = false;     ///< false: its motions leave its shape where it is, as a drum's about its own axis do
   double inner_skin = 0.0;  ///< m, how far it may travel while an inner list is good

@@ -1,7 +1,10 @@
+#include "scene/walls/profile.h"
+
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 
-#include "scene/walls/wall_shapes.h"
+#include "scene/walls/unit_vector.h"
 
 namespace repose {
 
@@ -147,6 +150,23 @@ Profile make_profile(const std::vector<std::array<double, 2>>& points, const Vec
     profile.segments.front().in_line = in_line(profile.segments.back(), profile.segments.front());
   }
   return profile;
+}
+
+/// A disc is a profile of one segment.
+Profile Profile::made(const WallDeck& deck, const ReadFile&) {
+  if (deck.type == WallType::profile) return make_profile(deck.points, deck.axis_origin, deck.axis_direction);
+  if (!(deck.radius > 0.0)) throw std::invalid_argument("the radius of a disc must be positive");
+  return make_profile({{0.0, 0.0}, {deck.radius, 0.0}}, deck.centre, deck.normal);
+}
+
+bool keeps(const Profile& profile, const MotionDeck& motion) {
+  return motion.type == MotionType::rotation && cross(motion.axis_direction, profile.axis) == Vec3{} &&
+         cross(motion.axis_origin - profile.origin, profile.axis) == Vec3{};
+}
+
+bool adjacent_features(const Profile& profile, int a, int b) {
+  const int apart = std::abs(a - b);
+  return apart <= 2 || (profile.closed && apart >= 2 * static_cast<int>(profile.vertices.size()) - 2);
 }
 
 }  // namespace repose

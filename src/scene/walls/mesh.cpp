@@ -1,4 +1,4 @@
-#include "scene/walls/wall_mesh.h"
+#include "scene/walls/mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,8 @@
 
 #include "base/math.h"
 #include "scene/walls/motion.h"
-#include "scene/walls/wall_shapes.h"
+#include "scene/walls/stl.h"
+#include "scene/walls/unit_vector.h"
 
 namespace repose {
 
@@ -101,6 +102,11 @@ void find_candidates(const Mesh& mesh, const Vec3& centre, double reach, Candida
 }  // namespace
 
 double flatness(const Mesh& mesh) { return 4.0 * mesh.surface.tolerance; }
+
+Mesh Mesh::made(const WallDeck& deck, const ReadFile& read_file) {
+  const MeshPlacement placement = {deck.scale, deck.rotate_axis, deck.rotate_angle, deck.translate};
+  return make_mesh(parse_stl(read_file(deck.file), deck.file), placement, deck.feature_angle);
+}
 
 Mesh make_mesh(const std::vector<Corners>& triangles, const MeshPlacement& placement, double feature_angle) {
   Mesh mesh;

@@ -3,9 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "deck/wall_keys.h"
+#include "files/read_file.h"
 #include "scene/walls/mesh_features.h"
 #include "scene/walls/triangle_mesh.h"
 #include "scene/walls/triangle_tree.h"
+#include "scene/walls/wall_face.h"
 #include "scene/walls/wall_touch.h"
 
 namespace repose {
@@ -21,6 +24,10 @@ struct Mesh {
   TriangleTree tree;
   double cos_feature_angle;
   double rounding;  ///< m, beyond that of any distance computed here
+
+  static bool is(WallType type) { return type == WallType::mesh; }
+  /// From the STL file that the deck names. DeckError when it is none.
+  static Mesh made(const WallDeck& deck, const ReadFile& read_file);
 };
 
 /// How a mesh is placed: a point p of the file goes to translate + R (scale p), with the rotation R by rotate_angle
@@ -40,7 +47,7 @@ Mesh make_mesh(const std::vector<Corners>& triangles, const MeshPlacement& place
 /// whole mesh coarse, as its file has single precision.
 double flatness(const Mesh& mesh);
 
-/// As those of the other shapes (wall_shapes.h).
+/// As those of the other shapes (wall_shape.h).
 void find_touches(const Mesh& mesh, const Vec3& centre, double reach, int wall, TouchBuffer& out);
 double distance(const Mesh& mesh, const Vec3& centre);
 Face face_of(const Mesh& mesh, int feature);

@@ -1,21 +1,15 @@
-#include "scene/walls/wall_shapes.h"
+#include "scene/walls/rectangle.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
-namespace repose {
+#include "scene/walls/plane.h"
+#include "scene/walls/unit_vector.h"
 
+namespace repose {
 namespace {
 
-FlatFace flat(const Plane& plane) { return {plane.point, plane.normal}; }
 FlatFace flat(const Rectangle& rectangle) { return {rectangle.corner, rectangle.normal}; }
-
-void add_face(const FlatFace& face, const Vec3& centre, double reach, int wall, TouchBuffer& out) {
-  const auto [distance, normal] = touch(face, centre);
-  if (!(distance < reach)) return;
-  out.add({.distance = distance, .normal = normal, .point = centre - distance * normal, .wall = wall, .feature = 0});
-}
 
 struct RectanglePoint {
   Vec3 offset;  // from the nearest point to the centre
@@ -33,15 +27,12 @@ RectanglePoint nearest(const Rectangle& rectangle, const Vec3& centre) {
 
 }  // namespace
 
-double distance(const Plane& plane, const Vec3& centre) { return touch(flat(plane), centre).distance; }
-
-void find_touches(const Plane& plane, const Vec3& centre, double reach, int wall, TouchBuffer& out) {
-  add_face(flat(plane), centre, reach, wall, out);
+Rectangle Rectangle::made(const WallDeck& deck, const ReadFile&) {
+  const Vec3 u = unit_vector(deck.edge_u);
+  const Vec3 v = unit_vector(deck.edge_v);
+  if (std::fabs(dot(u, v)) > 1e-9) throw std::invalid_argument("the edges of a rectangle must be perpendicular");
+  return {deck.corner, u, v, norm(deck.edge_u), norm(deck.edge_v), unit_vector(cross(u, v))};
 }
-
-Face face_of(const Plane& plane, int) { return flat(plane); }
-
-double margin(const Plane&, int, const Vec3&) { return std::numeric_limits<double>::infinity(); }
 
 double distance(const Rectangle& rectangle, const Vec3& centre) {
   const RectanglePoint near = nearest(rectangle, centre);
@@ -72,12 +63,6 @@ double margin(const Rectangle& rectangle, int, const Vec3& centre) {
   const double a = dot(d, rectangle.u);
   const double b = dot(d, rectangle.v);
   return std::min({a, rectangle.length_u - a, b, rectangle.length_v - b});
-}
-
-Vec3 unit_vector(const Vec3& v) {
-  const double length = norm(v);
-  if (!(length > 1e-150 && length < 1e150)) throw std::invalid_argument("a direction must not be of zero length");
-  return {v.x / length, v.y / length, v.z / length};
 }
 
 }  // namespace repose

@@ -1,0 +1,50 @@
+#include "commands/command.h"
+
+namespace repose {
+
+std::unique_ptr<Command> run_command();
+std::unique_ptr<Command> check_command();
+std::unique_ptr<Command> measure_command();
+std::unique_ptr<Command> info_command();
+std::unique_ptr<Command> export_command();
+std::unique_ptr<Command> validate_command();
+std::unique_ptr<Command> calibrate_command();
+std::unique_ptr<Command> estimate_command();
+std::unique_ptr<Command> sensitivity_command();
+std::unique_ptr<Command> thermal_bed_command();
+std::unique_ptr<Command> thermal_network_command();
+std::unique_ptr<Command> thermal_tps_command();
+std::unique_ptr<Command> thermal_synthesise_command();
+std::unique_ptr<Command> thermal_sensor_command();
+std::unique_ptr<Command> thermal_mixture_command();
+std::unique_ptr<Command> compare_command();
+std::unique_ptr<Command> keys_command();
+
+const std::vector<CommandEntry>& command_entries() {
+  constexpr auto ranks = Process::Need::ranks;
+  static const std::vector<CommandEntry> entries = {
+      {"run", "simulate the test that a deck describes", run_command, ranks},
+      {"check", "resolve a deck and print what a run would take", check_command},
+      {"measure", "measure the pile of a finished run, or a list of grains, again", measure_command},
+      {"info", "what is in a snapshot, a checkpoint or the grid of a calibration", info_command},
+      {"export", "write the grains of a snapshot for other programs", export_command},
+      {"validate", "run cases and compare their figures with those of a laboratory", validate_command, ranks},
+      {"calibrate", "run a deck over a grid of parameters and find those that give the laboratory's figures",
+       calibrate_command, ranks},
+      {"estimate", "estimate again from the runs of a calibration", estimate_command},
+      {"sensitivity", "what each parameter does to the figures of a deck", sensitivity_command, ranks},
+      {"thermal bed", "conductivity of a bed by Zehner, Bauer and Schluender", thermal_bed_command},
+      {"thermal network", "conductivity of simulated beds from snapshots or CSV", thermal_network_command},
+      {"thermal tps", "evaluate transients (CSV) of a plane source", thermal_tps_command},
+      {"thermal synthesise", "make up a transient of a plane source", thermal_synthesise_command},
+      {"thermal sensor", "correct readings for the insulation of the sensor", thermal_sensor_command},
+      {"thermal mixture", "heat capacity of a bed with and without its air", thermal_mixture_command},
+      {"compare", "are two sets of repeated measurements (CSV) equivalent?", compare_command},
+      {"keys", "list every key of a deck", keys_command},
+  };
+  return entries;
+}
+
+std::string group_meaning(const std::string&) { return "thermal properties of beds, and of measurements of them"; }
+
+}  // namespace repose

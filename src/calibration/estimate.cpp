@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "base/distributions.h"
 #include "base/error.h"
-#include "calibration/chi_squared.h"
 #include "calibration/confidence_part.h"
 
 namespace repose {

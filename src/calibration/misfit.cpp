@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "calibration/chi_squared.h"
+#include "calibration/normal_equivalent.h"
 
 namespace repose {
 namespace {

@@ -1,107 +1,167 @@
 #include "pictures/canvas.h"
 
-#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numbers>
 
-#include <png.h>
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
 
 #include "base/error.h"
-#include "pictures/bitmap_font.h"
+#include "files/atomic_file.h"
 
 namespace repose {
+namespace {
 
-Canvas::Canvas(std::size_t width, std::size_t height) : width_(width), height_(height), rgb_(3 * width * height, 255) {}
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-void Canvas::blend(std::size_t x, std::size_t y, double share, Colour colour) {
-  std::uint8_t* pixel = &rgb_[3 * (y * width_ + x)];
-  const double values[3] = {colour.red, colour.green, colour.blue};
-  for (int k = 0; k < 3; ++k) {
-    pixel[k] = static_cast<std::uint8_t>(std::lround((1.0 - share) * pixel[k] + share * values[k]));
-  }
+constexpr double fineness = 2.0;          // pixels of the image in one of the picture
+constexpr std::size_t most_discs = 6000;  // in PDF and SVG: 3 MB of text
+
+void check(cairo_status_t status) {
+  if (status == CAIRO_STATUS_SUCCESS) return;
+  throw FileError(std::string("a picture cannot be encoded: ") + cairo_status_to_string(status));
 }
 
-template <class Distance>
-void Canvas::fill(Pixel low, Pixel high, Colour colour, Distance distance) {
-  const auto first = [](double x) { return static_cast<std::size_t>(std::max(0.0, std::floor(x - 1.0))); };
-  const auto end = [](double x, std::size_t size) {
-    return static_cast<std::size_t>(std::clamp(std::ceil(x + 2.0), 0.0, static_cast<double>(size)));
-  };
-  for (std::size_t y = first(low.y); y < end(high.y, height_); ++y) {
-    for (std::size_t x = first(low.x); x < end(high.x, width_); ++x) {
-      const double share = std::clamp(0.5 - distance(static_cast<double>(x), static_cast<double>(y)), 0.0, 1.0);
-      if (share > 0.0) blend(x, y, share, colour);
-    }
-  }
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+bool has_pixels(cairo_t* context) {
+  return cairo_surface_get_type(cairo_get_target(context)) == CAIRO_SURFACE_TYPE_IMAGE;
+}
+
+void draw_on(cairo_surface_t* surface, double width, double height, const std::function<void(Canvas&)>& draw) {
+  const Context context(cairo_create(surface), cairo_destroy);
+  Canvas canvas(context.get(), width, height);
+  canvas.rectangle({0.0, 0.0}, {width, height}, {255, 255, 255});
+  draw(canvas);
+  check(cairo_status(context.get()));
+}
+
+/// The bytes of a format that is written to a stream.
+template <class Create>
+std::string vector_bytes(double width, double height, const std::function<void(Canvas&)>& draw, const Create& create) {
+  std::string bytes;
+  const Surface surface(create(append, &bytes, width, height), cairo_surface_destroy);
+  check(cairo_surface_status(surface.get()));
+  draw_on(surface.get(), width, height, draw);
+  cairo_surface_finish(surface.get());
+  check(cairo_surface_status(surface.get()));
+  return bytes;
+}
+
+cairo_surface_t* undated_pdf(cairo_write_func_t write, void* closure, double width, double height) {
+  cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(write, closure, width, height);
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
+  return surface;
+}
+
+}  // namespace
+
+void Canvas::set(Colour colour) {
+  cairo_set_source_rgb(context_, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
 }
 
 void Canvas::disc(Pixel centre, double radius, Colour colour) {
-  fill({centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}, colour,
-       [&](double x, double y) { return std::hypot(x - centre.x, y - centre.y) - radius; });
+  set(colour);
+  cairo_arc(context_, centre.x, centre.y, radius, 0.0, 2.0 * std::numbers::pi);
+  cairo_fill(context_);
 }
 
 void Canvas::circle(Pixel centre, double radius, double thickness, Colour colour) {
-  const double outer = radius + 0.5 * thickness;
-  fill({centre.x - outer, centre.y - outer}, {centre.x + outer, centre.y + outer}, colour, [&](double x, double y) {
-    return std::fabs(std::hypot(x - centre.x, y - centre.y) - radius) - 0.5 * thickness;
-  });
+  set(colour);
+  cairo_set_line_width(context_, thickness);
+  cairo_arc(context_, centre.x, centre.y, radius, 0.0, 2.0 * std::numbers::pi);
+  cairo_stroke(context_);
 }
 
 void Canvas::rectangle(Pixel low, Pixel high, Colour colour) {
-  fill(low, high, colour, [&](double x, double y) { return std::max({low.x - x, x - high.x, low.y - y, y - high.y}); });
+  set(colour);
+  cairo_rectangle(context_, low.x, low.y, high.x - low.x, high.y - low.y);
+  cairo_fill(context_);
 }
 
-void Canvas::line(Pixel from, Pixel to, double thickness, Colour colour) {
-  const double dx = to.x - from.x;
-  const double dy = to.y - from.y;
-  const double squared_length = std::max(dx * dx + dy * dy, 1e-12);
-  const double half = 0.5 * thickness;
-  fill({std::min(from.x, to.x) - half, std::min(from.y, to.y) - half},
-       {std::max(from.x, to.x) + half, std::max(from.y, to.y) + half}, colour, [&](double x, double y) {
-         const double along = std::clamp(((x - from.x) * dx + (y - from.y) * dy) / squared_length, 0.0, 1.0);
-         return std::hypot(x - from.x - along * dx, y - from.y - along * dy) - half;
-       });
+void Canvas::line(Pixel from, Pixel to, double thickness, Colour colour) { polyline({from, to}, thickness, colour); }
+
+void Canvas::polyline(const std::vector<Pixel>& points, double thickness, Colour colour) {
+  set(colour);
+  cairo_set_line_width(context_, thickness);
+  cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
+  for (const Pixel& p : points) cairo_line_to(context_, p.x, p.y);
+  cairo_stroke(context_);
 }
 
 void Canvas::dashed_line(Pixel from, Pixel to, double thickness, double dash, Colour colour) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const auto at = [&](double s) {
-    const double share = std::min(s / length, 1.0);
-    return Pixel{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
-  };
-  for (double s = 0.0; s < length; s += 2.0 * dash) line(at(s), at(s + dash), thickness, colour);
+  cairo_set_dash(context_, &dash, 1, 0.0);
+  line(from, to, thickness, colour);
+  cairo_set_dash(context_, nullptr, 0, 0.0);
 }
 
-void Canvas::text(Pixel at, std::string_view text, int scale, Colour colour) {
-  const auto dot = static_cast<double>(scale);
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const Glyph& glyph = glyph_of(text[k]);
-    for (std::size_t row = 0; row < glyph.size(); ++row) {
-      for (std::size_t column = 0; column < glyph[row].size(); ++column) {
-        if (glyph[row][column] != '#') continue;
-        const double x = at.x + dot * static_cast<double>(column + (glyph_width + 1) * k);
-        const double y = at.y + dot * static_cast<double>(row);
-        fill({x, y}, {x + dot - 1.0, y + dot - 1.0}, colour, [&](double px, double py) {
-          const bool inside = px >= x - 0.5 && px < x + dot - 0.5 && py >= y - 0.5 && py < y + dot - 0.5;
-          return inside ? -1.0 : 1.0;
-        });
-      }
-    }
-  }
+void Canvas::choose_font(double size) {
+  cairo_select_font_face(context_, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(context_, size);
 }
 
-std::string Canvas::png() const {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width_);
-  image.height = static_cast<png_uint_32>(height_);
-  image.format = PNG_FORMAT_RGB;
-  png_alloc_size_t bytes = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::string png(bytes, '\0');
-  if (png_image_write_to_memory(&image, png.data(), &bytes, 0, rgb_.data(), 0, nullptr) == 0) {
-    throw FileError(std::string("a picture cannot be encoded: ") + image.message);
+double Canvas::text_width(const std::string& text, double size) {
+  choose_font(size);
+  cairo_text_extents_t extents;
+  cairo_text_extents(context_, text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+void Canvas::text(Pixel at, const std::string& text, double size, Colour colour, Align align) {
+  const double share = align == Align::left ? 0.0 : align == Align::centre ? 0.5 : 1.0;
+  const double shift = share * text_width(text, size);
+  set(colour);
+  cairo_move_to(context_, at.x - shift, at.y);
+  cairo_show_text(context_, text.c_str());
+  cairo_new_path(context_);  // it leaves its end behind
+}
+
+void Canvas::many_discs(std::size_t count, const std::function<void(Canvas&)>& draw) {
+  if (has_pixels(context_) || count <= most_discs) {
+    draw(*this);
+    return;
   }
-  png.resize(bytes);
-  return png;
+  const Surface image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(std::ceil(fineness * width_)),
+                                                 static_cast<int>(std::ceil(fineness * height_))),
+                      cairo_surface_destroy);
+  check(cairo_surface_status(image.get()));
+  const Context context(cairo_create(image.get()), cairo_destroy);
+  cairo_scale(context.get(), fineness, fineness);
+  Canvas pixels(context.get(), width_, height_);
+  draw(pixels);
+  check(cairo_status(context.get()));
+  cairo_save(context_);
+  cairo_scale(context_, 1.0 / fineness, 1.0 / fineness);
+  cairo_set_source_surface(context_, image.get(), 0.0, 0.0);
+  cairo_paint(context_);
+  cairo_restore(context_);
+}
+
+Picture make_picture(double width, double height, const std::function<void(Canvas&)>& draw) {
+  Picture picture;
+  const Surface image(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)),
+                      cairo_surface_destroy);
+  check(cairo_surface_status(image.get()));
+  draw_on(image.get(), width, height, draw);
+  check(cairo_surface_write_to_png_stream(image.get(), append, &picture.png));
+  picture.pdf = vector_bytes(width, height, draw, undated_pdf);
+  picture.svg = vector_bytes(width, height, draw, cairo_svg_surface_create_for_stream);
+  return picture;
+}
+
+std::vector<std::string> picture_files(const std::string& name) {
+  return {name + ".png", name + ".pdf", name + ".svg"};
+}
+
+void write_picture(const std::string& path, const Picture& picture) {
+  write_text_file(path + ".png", picture.png);
+  write_text_file(path + ".pdf", picture.pdf);
+  write_text_file(path + ".svg", picture.svg);
 }
 
 }  // namespace repose

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include <cairo.h>
 
 namespace repose {
 
@@ -15,39 +15,61 @@ struct Colour {
 };
 
 struct Pixel {
-  double x = 0.0;  ///< to the right; whole numbers are the centres of pixels
+  double x = 0.0;  ///< to the right
   double y = 0.0;  ///< downwards
 };
 
-/// A white picture to draw on, edges smoothed. What lies outside is not drawn.
+/// Where a text stands about its place.
+enum class Align { left, centre, right };
+
+/// What can be drawn on a picture, in any of its formats. What lies outside is not drawn.
 class Canvas {
  public:
-  Canvas(std::size_t width, std::size_t height);
+  Canvas(cairo_t* context, double width, double height) : context_(context), width_(width), height_(height) {}
 
   void disc(Pixel centre, double radius, Colour colour);
   /// The line of a circle.
   void circle(Pixel centre, double radius, double thickness, Colour colour);
   void rectangle(Pixel low, Pixel high, Colour colour);
   void line(Pixel from, Pixel to, double thickness, Colour colour);
+  /// Lines from point to point.
+  void polyline(const std::vector<Pixel>& points, double thickness, Colour colour);
   void dashed_line(Pixel from, Pixel to, double thickness, double dash, Colour colour);
-  /// Text with its top left corner at `at`, in the letters of bitmap_font.h, `scale` pixels per dot.
-  void text(Pixel at, std::string_view text, int scale, Colour colour);
+  /// Text in UTF-8 whose letters are `size` high with their base line at y.
+  void text(Pixel at, const std::string& text, double size, Colour colour, Align align = Align::left);
+  double text_width(const std::string& text, double size);
 
-  std::size_t width() const { return width_; }
-  std::size_t height() const { return height_; }
+  /// Draws so many discs, which may be image pixels also where the format knows circles: tens of thousands would make
+  /// files that no viewer likes. Twice as fine as the PNG. FileError when there is no memory for them.
+  void many_discs(std::size_t count, const std::function<void(Canvas&)>& draw);
 
-  /// The bytes of a PNG file. FileError when it cannot be encoded.
-  std::string png() const;
+  double width() const { return width_; }
+  double height() const { return height_; }
 
  private:
-  /// Covers, of every pixel near the box, the share that `distance` (px, negative inside the shape) tells.
-  template <class Distance>
-  void fill(Pixel low, Pixel high, Colour colour, Distance distance);
-  void blend(std::size_t x, std::size_t y, double share, Colour colour);
+  void set(Colour colour);
+  void choose_font(double size);
 
-  std::size_t width_;
-  std::size_t height_;
-  std::vector<std::uint8_t> rgb_;
+  cairo_t* context_;
+  double width_;
+  double height_;
 };
+
+/// The same picture in three formats: the bytes of the files.
+struct Picture {
+  std::string png;
+  std::string pdf;
+  std::string svg;
+};
+
+/// A white picture of this size in pixels, which are points (1/72 inch) in PDF and SVG. Equal drawings give equal bytes
+/// of PNG and PDF; Cairo numbers the parts of SVG on through a process. FileError when it cannot be encoded.
+Picture make_picture(double width, double height, const std::function<void(Canvas&)>& draw);
+
+/// The files of a picture with this name.
+std::vector<std::string> picture_files(const std::string& name);
+
+/// Writes `path`.png, .pdf and .svg, each whole or not at all. FileError.
+void write_picture(const std::string& path, const Picture& picture);
 
 }  // namespace repose

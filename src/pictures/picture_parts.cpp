@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "pictures/bitmap_font.h"
-
 namespace repose {
 namespace {
 
@@ -16,16 +14,12 @@ double scale_bar_length(double most) {
 
 }  // namespace
 
-double text_width(const std::string& text, int scale) {
-  return static_cast<double>(scale) * (static_cast<double>(text.size() * (glyph_width + 1)) - 1.0);
-}
-
 void draw_scale_bar(Canvas& canvas, Pixel at, double pixels_per_metre) {
-  const double length = scale_bar_length(0.2 * static_cast<double>(canvas.width()) / pixels_per_metre);
+  const double length = scale_bar_length(0.2 * canvas.width() / pixels_per_metre);
   const double end = at.x + length * pixels_per_metre;
   canvas.line(at, {end, at.y}, 2.0, ink);
   for (const double x : {at.x, end}) canvas.line({x, at.y - 7.0}, {x, at.y + 7.0}, 2.0, ink);
-  canvas.text({end + 16.0, at.y - 7.0}, fmt::format("{:g} mm", 1e3 * length), small, ink);
+  canvas.text({end + 14.0, at.y + 6.5}, fmt::format("{:g} mm", 1e3 * length), small, ink);
 }
 
 }  // namespace repose

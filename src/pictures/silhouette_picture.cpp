@@ -44,9 +44,8 @@ Frame frame_around(std::span<const Disc> discs, double base, double top) {
   return frame;
 }
 
-/// From back to front, the farther the paler, each with a rim so that grains can be told apart.
-void draw_grains(Canvas& canvas, const Frame& frame, std::vector<Disc> discs) {
-  std::sort(discs.begin(), discs.end(), [](const Disc& a, const Disc& b) { return a.nearness < b.nearness; });
+/// In their order, from back to front, the farther the paler, each with a rim so that grains can be told apart.
+void draw_grains(Canvas& canvas, const Frame& frame, const std::vector<Disc>& discs) {
   const double farthest = discs.front().nearness;
   const double depth = std::max(discs.back().nearness - farthest, 1e-300);
   for (const Disc& disc : discs) {
@@ -60,11 +59,14 @@ void draw_grains(Canvas& canvas, const Frame& frame, std::vector<Disc> discs) {
 
 void draw_outline(Canvas& canvas, const Frame& frame, const Silhouette& outline) {
   for (const std::vector<double>* flank : {&outline.left, &outline.right}) {
-    for (std::size_t row = 1; row < flank->size(); ++row) {
-      const double below = (*flank)[row - 1];
-      const double here = (*flank)[row];
-      if (std::isnan(below) || std::isnan(here)) continue;
-      canvas.line(frame.at(below, outline.row_z(row - 1)), frame.at(here, outline.row_z(row)), 2.0, outline_colour);
+    std::vector<Pixel> points;
+    for (std::size_t row = 0; row <= flank->size(); ++row) {
+      if (row < flank->size() && !std::isnan((*flank)[row])) {
+        points.push_back(frame.at((*flank)[row], outline.row_z(row)));
+        continue;
+      }
+      if (points.size() > 1) canvas.polyline(points, 2.0, outline_colour);
+      points.clear();
     }
   }
 }
@@ -85,16 +87,17 @@ void draw_fit(Canvas& canvas, const Frame& frame, const FlankView& view, const S
 
 void draw_angles(Canvas& canvas, const AngleOfRepose& result) {
   const FlankView& view = result.views.front();
-  const std::string right = fmt::format("right {:.1f}~", view.right.angle_deg);
+  const double centre = 0.5 * picture_width;
   const std::string summary =
       std::isnan(result.stderr_deg)
-          ? fmt::format("mean {:.1f}~ (1 view)", result.mean_deg)
-          : fmt::format("mean {:.1f}~ ^ {:.1f}~ ({} views)", result.mean_deg, result.stderr_deg, result.views.size());
-  canvas.text({margin, 100.0}, fmt::format("left {:.1f}~", view.left.angle_deg), large, line_colour);
-  canvas.text({picture_width - margin - text_width(right, large), 100.0}, right, large, line_colour);
-  canvas.text({0.5 * (picture_width - text_width(summary, large)), 30.0}, summary, large, ink);
-  const std::string note = "outline and lines: view from azimuth 0~, fitted between the dashed heights";
-  canvas.text({0.5 * (picture_width - text_width(note, small)), 65.0}, note, small, grey);
+          ? fmt::format("mean {:.1f}° (1 view)", result.mean_deg)
+          : fmt::format("mean {:.1f}° ± {:.1f}° ({} views)", result.mean_deg, result.stderr_deg, result.views.size());
+  canvas.text({margin, 125.0}, fmt::format("left {:.1f}°", view.left.angle_deg), large, line_colour);
+  canvas.text({picture_width - margin, 125.0}, fmt::format("right {:.1f}°", view.right.angle_deg), large, line_colour,
+              Align::right);
+  canvas.text({centre, 48.0}, "Angle of repose: " + summary, large, ink, Align::centre);
+  canvas.text({centre, 82.0}, "outline and lines: view from azimuth 0°, fitted between the dashed heights", small, grey,
+              Align::centre);
 }
 
 void draw_plate(Canvas& canvas, const Frame& frame) {
@@ -108,23 +111,23 @@ void draw_plate(Canvas& canvas, const Frame& frame) {
 
 }  // namespace
 
-std::string silhouette_png(const AngleOfRepose& result, std::span<const Sphere> pile,
+Picture silhouette_picture(const AngleOfRepose& result, std::span<const Sphere> pile,
                            const AngleOfReposeParameters& parameters) {
   const View view{.axis = parameters.axis,
                   .azimuth = result.views.front().azimuth,
                   .camera_distance = parameters.camera_distance,
                   .camera_height = parameters.camera_height};
   std::vector<Disc> discs = project(pile, view);
+  std::sort(discs.begin(), discs.end(), [](const Disc& a, const Disc& b) { return a.nearness < b.nearness; });
   const Silhouette& outline = result.silhouette;
   const Frame frame = frame_around(discs, outline.base, outline.top);
-  Canvas canvas(static_cast<std::size_t>(picture_width),
-                static_cast<std::size_t>(std::ceil(header + frame.height + footer)));
-  draw_grains(canvas, frame, std::move(discs));
-  draw_outline(canvas, frame, outline);
-  draw_fit(canvas, frame, result.views.front(), outline);
-  draw_plate(canvas, frame);
-  draw_angles(canvas, result);
-  return canvas.png();
+  return make_picture(picture_width, std::ceil(header + frame.height + footer), [&](Canvas& canvas) {
+    canvas.many_discs(2 * discs.size(), [&](Canvas& pixels) { draw_grains(pixels, frame, discs); });
+    draw_outline(canvas, frame, outline);
+    draw_fit(canvas, frame, result.views.front(), outline);
+    draw_plate(canvas, frame);
+    draw_angles(canvas, result);
+  });
 }
 
 }  // namespace repose

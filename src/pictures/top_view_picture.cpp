@@ -94,45 +94,43 @@ void draw_circles(Canvas& canvas, const Frame& frame, const ScatteringDeck& deck
 }
 
 std::string count_text(const char* name, const AreaCount& area) {
-  return fmt::format("{}: {} ^ {:.0f}", name, area.count, area.error);
+  return fmt::format("{}: {} ± {:.0f}", name, area.count, area.error);
 }
 
 void draw_counts(Canvas& canvas, const Scattering& result) {
-  const std::string title = fmt::format("base {:.1f} mm", 2e3 * result.base_radius);
-  canvas.text({margin, 25.0}, title, large, ink);
-  const std::string off = fmt::format("off the plate: {}", result.off_plate);
-  canvas.text({picture_width - margin - text_width(off, large), 25.0}, off, large, ink);
-  const std::string middle = result.area_2 ? count_text("area 2", *result.area_2) : "no area 2";
-  const std::string right = count_text("area 3", result.area_3);
-  canvas.text({margin, 75.0}, count_text("area 1", result.area_1), large, area_1_colour);
-  canvas.text({0.5 * (picture_width - text_width(middle, large)), 75.0}, middle, large, area_2_colour);
-  canvas.text({picture_width - margin - text_width(right, large), 75.0}, right, large, area_3_colour);
+  const double centre = 0.5 * picture_width;
+  const double right = picture_width - margin;
+  canvas.text({margin, 48.0}, fmt::format("Base {:.1f} mm", 2e3 * result.base_radius), large, ink);
+  canvas.text({right, 48.0}, fmt::format("Off the plate: {}", result.off_plate), large, ink, Align::right);
+  canvas.text({margin, 98.0}, count_text("Area 1", result.area_1), large, area_1_colour);
+  canvas.text({centre, 98.0}, result.area_2 ? count_text("Area 2", *result.area_2) : "No area 2", large, area_2_colour,
+              Align::centre);
+  canvas.text({right, 98.0}, count_text("Area 3", result.area_3), large, area_3_colour, Align::right);
 }
 
 /// What lies or stands out beyond the plate's edge is covered, where the texts come.
 void cover_surroundings(Canvas& canvas, const Pixel& low, const Pixel& high) {
   const Colour white{255, 255, 255};
-  const auto bottom = static_cast<double>(canvas.height());
   canvas.rectangle({0.0, 0.0}, {picture_width, header - 35.0}, white);
-  canvas.rectangle({0.0, high.y + 25.0}, {picture_width, bottom}, white);
+  canvas.rectangle({0.0, high.y + 25.0}, {picture_width, canvas.height()}, white);
   const Pixel corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
   for (int k = 0; k < 4; ++k) canvas.line(corners[k], corners[(k + 1) % 4], 3.0, ink);
 }
 
 }  // namespace
 
-std::string top_view_png(const ScatteringDeck& deck, const Scattering& result, std::span<const Sphere> grains) {
+Picture top_view_picture(const ScatteringDeck& deck, const Scattering& result, std::span<const Sphere> grains) {
   const Frame frame = frame_around(deck);
   const Pixel low = frame.at(deck.plate_min.x, deck.plate_max.y);
   const Pixel high = frame.at(deck.plate_max.x, deck.plate_min.y);
-  Canvas canvas(static_cast<std::size_t>(picture_width), static_cast<std::size_t>(std::ceil(high.y + footer)));
-  canvas.rectangle(low, high, plate_colour);
-  draw_grains(canvas, frame, deck, result, grains);
-  draw_circles(canvas, frame, deck, result);
-  cover_surroundings(canvas, low, high);
-  draw_counts(canvas, result);
-  draw_scale_bar(canvas, {margin, high.y + 40.0}, frame.pixels_per_metre);
-  return canvas.png();
+  return make_picture(picture_width, std::ceil(high.y + footer), [&](Canvas& canvas) {
+    canvas.rectangle(low, high, plate_colour);
+    canvas.many_discs(2 * grains.size(), [&](Canvas& pixels) { draw_grains(pixels, frame, deck, result, grains); });
+    draw_circles(canvas, frame, deck, result);
+    cover_surroundings(canvas, low, high);
+    draw_counts(canvas, result);
+    draw_scale_bar(canvas, {margin, high.y + 40.0}, frame.pixels_per_metre);
+  });
 }
 
 }  // namespace repose

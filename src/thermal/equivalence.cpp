@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/distributions.h"
 #include "thermal/moments.h"
-#include "thermal/student.h"
 
 namespace repose::thermal {
 

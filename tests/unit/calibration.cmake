@@ -1,5 +1,5 @@
 repose_test(unit_calibration LABEL unit
-  SOURCES calibration_chi_squared_test.cpp calibration_process_test.cpp calibration_likelihood_test.cpp
+  SOURCES base_distributions_test.cpp calibration_process_test.cpp calibration_likelihood_test.cpp
           calibration_surface_test.cpp calibration_contour_test.cpp calibration_region_test.cpp
           calibration_sensitivity_test.cpp
   LINK repose_calibration)

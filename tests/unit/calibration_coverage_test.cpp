@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "calibration/chi_squared.h"
+#include "base/distributions.h"
 #include "calibration/estimate.h"
 #include "calibration_stand_ins.h"
 

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "base/distributions.h"
 #include "base/math.h"
 #include "thermal/plane_source/source_function.h"
 #include "thermal/plane_source/synthetic_transient.h"
-#include "thermal/student.h"
 #include "thermal_samples.h"
 
 namespace repose::thermal {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "files/atomic_file.h"
 #include "measurement/pile.h"
 #include "pictures/silhouette_picture.h"
 #include "run/measurements/measurement.h"
@@ -10,7 +9,7 @@
 namespace repose {
 namespace {
 
-constexpr const char* silhouette_file = "silhouette.png";
+constexpr const char* silhouette_name = "silhouette";  // name of the picture, without its ending
 
 AngleOfReposeParameters parameters_of(const AngleOfReposeDeck& deck) {
   AngleOfReposeParameters parameters;
@@ -35,7 +34,7 @@ void measure(const FinishedState& state, Figures& figures) {
   const std::optional<AngleOfRepose> angle = angle_of_repose(pile, parameters);
   if (!angle) return;
   if (!state.directory.empty()) {
-    write_text_file(state.directory + "/" + silhouette_file, silhouette_png(*angle, pile, parameters));
+    write_picture(state.directory + "/" + silhouette_name, silhouette_picture(*angle, pile, parameters));
   }
   figures["angle_of_repose_deg"] = angle->mean_deg;
   figures["angle_of_repose_left_deg"] = angle->left_deg;
@@ -65,7 +64,7 @@ MeasurementKind angle_of_repose_measurement() {
                       {.key = "angle_of_repose_right_deg", .from = Figure::From::grains},
                       {.key = "angle_of_repose_stderr_deg", .kind = Figure::Kind::other, .from = Figure::From::grains},
                       {.key = "pile_height_m", .from = Figure::From::grains}},
-          .files = {silhouette_file},
+          .files = picture_files(silhouette_name),
           .measure = measure,
           .lines = lines};
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "files/atomic_file.h"
 #include "files/json_text.h"
 #include "pictures/top_view_picture.h"
 #include "run/measurements/measurement.h"
@@ -10,7 +9,7 @@
 namespace repose {
 namespace {
 
-constexpr const char* top_view_file = "top_view.png";
+constexpr const char* top_view_name = "top_view";  // name of the picture, without its ending
 
 Figures area_json(const AreaCount& area) {
   return {{"from_m", area.from}, {"to_m", json_number(area.to)}, {"count", area.count}, {"error", area.error}};
@@ -37,7 +36,7 @@ void measure(const FinishedState& state, Figures& figures) {
   const std::optional<Scattering> found = scattering(deck, state.grains, state.left.value_or(0));
   if (!found) return;
   if (!state.directory.empty()) {
-    write_text_file(state.directory + "/" + top_view_file, top_view_png(deck, *found, state.grains));
+    write_picture(state.directory + "/" + top_view_name, top_view_picture(deck, *found, state.grains));
   }
   figures["scattering"] = scattering_json(*found);
 }
@@ -79,7 +78,7 @@ MeasurementKind scattering_measurement() {
                       {.key = "scattering.area_3.count"},
                       {.key = "scattering.off_plate"},
                       {.key = "scattering.base_diameter_m"}},
-          .files = {top_view_file},
+          .files = picture_files(top_view_name),
           .measure = measure,
           .lines = lines};
 }

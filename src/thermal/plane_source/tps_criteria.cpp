@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "base/distributions.h"
 #include "thermal/moments.h"
-#include "thermal/student.h"
 
 namespace repose::thermal {
 namespace {

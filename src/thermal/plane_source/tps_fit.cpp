@@ -5,9 +5,9 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "base/distributions.h"
 #include "base/error.h"
 #include "base/math.h"
-#include "thermal/student.h"
 
 namespace repose::thermal {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "base/distributions.h"
 #include "base/error.h"
 #include "thermal/moments.h"
 #include "thermal/plane_source/tps_deck.h"
-#include "thermal/student.h"
 
 namespace repose::thermal {
 namespace {

@@ -2,12 +2,6 @@
 
 namespace repose {
 
-/// Share of a chi-squared distribution with `freedom` degrees of freedom below x.
-double chi_squared_below(double x, double freedom);
-
-/// The x with this share (0 to 1, excluded) below it, within 1e-10 relative.
-double chi_squared_quantile(double share, double freedom);
-
 /// The z of a normal distribution that is as unlikely as a t of Student's with `freedom` degrees of freedom, with the
 /// sign of t (C.14): Wallace, Ann. Math. Stat. 30 (1959) 1121; within 0.02 up to z = 3 for 3 degrees of freedom or
 /// more, exact for infinitely many.

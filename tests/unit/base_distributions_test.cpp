@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "calibration/chi_squared.h"
+#include "base/distributions.h"
+#include "calibration/normal_equivalent.h"
 
 namespace repose {
 namespace {

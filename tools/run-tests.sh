@@ -38,9 +38,10 @@ run_ctest ci "${chosen[@]}"
 if [[ -n ${everything_sanitized:-} ]]; then
   build asan
   run_ctest asan "${chosen[@]}"
-elif [[ -z ${only_slow:-} ]]; then
-  build asan --target sanitized_tests
-  run_ctest asan -L '^sanitized$'
+elif [[ -n ${only_slow:-} ]]; then
+  build asan --target fuzz
+  run_ctest asan "${chosen[@]}" -L '^fuzz$'
+else
+  build asan --target sanitized_tests --target fuzz
+  run_ctest asan "${chosen[@]}" -L '^(sanitized|fuzz)$'
 fi
-build fuzz
-run_ctest fuzz "${chosen[@]}"

@@ -134,10 +134,10 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
     write_text_file(request.output + deck_file, text);
   });
   Work work{world, plan, stop_asked};
-  const auto [runs, records] = deck.adaptive.enabled ? search(deck, work) : work.at(points_of(deck));
+  const auto done = deck.adaptive.enabled ? search(deck, work) : work.at(points_of(deck));
   std::string report;
   agree_after_root(world, [&] {
-    report = write_estimate(deck, runs, records, request.output);
+    report = write_estimate(deck, done.runs, done.records, request.output);
     report += effort_text(work.effort, world.size());
   });
   return report;

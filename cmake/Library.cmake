@@ -24,9 +24,6 @@ endif()
 if(REPOSE_FUZZ)
   target_compile_options(repose_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
-if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  target_compile_options(repose_flags INTERFACE -include ${PROJECT_SOURCE_DIR}/cmake/clang.h)
-endif()
 
 # repose_library(NAME [SOURCES generated...] LINK ...): the library of one folder under src, of all its sources.
 function(repose_library name)

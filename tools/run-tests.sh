@@ -22,23 +22,21 @@ run_ctest() {
   fi
 }
 
-# begin_build PRESET OPTION...: configures, and builds in the background until end_build. Tests wait much of their time,
+# begin_build PRESET TARGET...: configures, and builds in the background until end_build. Tests wait much of their time,
 # for other ranks and for the clock; this takes what they leave of the cores, and no more.
 begin_build() {
   local preset=$1
   shift
   stage "Configure ($preset)" cmake --preset "$preset"
-  setsid chrt --idle 0 cmake --build --preset "$preset" --parallel "$(nproc)" "$@" \
-    >"$root/build/run-tests.$preset.log" 2>&1 </dev/null &
+  chrt --idle 0 ninja -C "build/$preset" -j "$(nproc)" "$@" >"build/run-tests.$preset.log" 2>&1 </dev/null &
   beside=$!
   trap end_build EXIT
 }
 
 # end_build: stops what begin_build began; what is built remains.
 end_build() {
-  if kill -TERM -- "-$beside" 2>/dev/null; then
-    wait "$beside" || true
-  fi
+  kill "$beside" 2>/dev/null || true
+  wait "$beside" || true
   trap - EXIT
 }
 
@@ -53,13 +51,13 @@ for option in "$@"; do
   esac
 done
 
-targets=(--target sanitized_tests --target fuzz)
+targets=(sanitized_tests fuzz)
 sanitized=("${chosen[@]}" -L '^(sanitized|fuzz)$')
 if [[ -n ${everything_sanitized:-} ]]; then
-  targets=(--target all)
+  targets=(all)
   sanitized=("${chosen[@]}")
 elif [[ -n ${only_slow:-} ]]; then
-  targets=(--target fuzz)
+  targets=(fuzz)
   sanitized=("${chosen[@]}" -L '^fuzz$')
 fi
 
@@ -68,5 +66,5 @@ build ci
 begin_build asan "${targets[@]}"
 run_ctest ci "${chosen[@]}"
 end_build
-stage "Build (asan), what is left" cmake --build --preset asan --parallel "$(nproc)" "${targets[@]}"
+stage "Build (asan), what is left" cmake --build --preset asan --parallel "$(nproc)" --target "${targets[@]}"
 run_ctest asan "${sanitized[@]}"

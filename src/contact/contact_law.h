@@ -49,7 +49,7 @@ template <class Law, Lanes Real>
   for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
     const BasicContactGeometry<Real> contact = lanes.get<Real>(k);
     const Vector3<Real> spring = Law::spring(pair, contact, dt, load<Real>(block.spring, k));
-    store(contact_radius(contact), law.contact_radius + k);
+    store(Law::contact_radius(pair, contact), law.contact_radius + k);
     store(spring, law.spring, k);
     store(square_root(squared_norm(spring)), law.spring_length + k);
   }
@@ -64,25 +64,29 @@ template <class Law, Lanes Real>
   for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
     const BasicContactGeometry<Real> contact = lanes.get<Real>(k);
     const BasicContactStiffness<Real> stiffness = law.stiffness<Real>(k);
-    const Real f_n = Law::normal_force(pair, stiffness, contact);
-    const BasicSlidingLimit<Real> sliding = sliding_limit(pair, stiffness, f_n, load<Real>(law.spring_length + k));
-    store(f_n, law.normal_force + k);
+    const Real f_n = Law::normal_force(pair, stiffness, contact, load<Real>(law.contact_radius + k));
+    const Real pressing = Law::pressing_force(pair, contact, f_n);
+    const BasicSlidingLimit<Real> sliding =
+        Law::sliding(pair, stiffness, contact, pressing, load<Real>(law.spring_length + k));
+    store(Law::with_cohesion(pair, contact, f_n), law.normal_force + k);
     store(sliding.share, law.sliding_share + k);
     store(sliding.damping, law.sliding_damping + k);
-    store(rolling_limit(pair, contact, f_n, load<Real>(law.moment_size + k)), law.rolling_share + k);
+    store(rolling_limit(pair, contact, pressing, load<Real>(law.moment_size + k)), law.rolling_share + k);
   }
   LaneBits<Real> difference = {};
   for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
     const BasicContactGeometry<Real> contact = lanes.get<Real>(k);
     // Without overlap all stiffness is zero, and so is every force; only the histories have to be cut.
-    const LaneInt<Real> touching = contact.overlap > Real{};
+    const LaneInt<Real> touching = Law::touches(contact);
+    const BasicContactStiffness<Real> stiffness = law.stiffness<Real>(k);
     const Vector3<Real> spring = load<Real>(law.sliding_share + k) * load<Real>(law.spring, k);
-    const Vector3<Real> moment = where(touching, load<Real>(law.rolling_share + k) * load<Real>(law.moment, k));
-    store(where(touching, spring), block.spring, k);
-    store(moment, block.rolling, k);
+    const Real rolling_share = load<Real>(law.rolling_share + k);
+    const Vector3<Real> rolling = where(touching, rolling_share * load<Real>(law.moment, k));
+    store(Law::remembered(pair, where(touching, spring), touching), block.spring, k);
+    store(rolling, block.rolling, k);
 
-    const Vector3<Real> friction =
-        Law::friction(pair, law.stiffness<Real>(k), contact, spring, load<Real>(law.sliding_damping + k));
+    const Vector3<Real> moment = Law::acting_moment(pair, stiffness, contact, rolling, rolling_share);
+    const Vector3<Real> friction = Law::friction(pair, stiffness, contact, spring, load<Real>(law.sliding_damping + k));
     const Vector3<Real> force = load<Real>(law.normal_force + k) * contact.normal + friction;
     const Vector3<Real> turn = cross(contact.normal, friction);
     const Vector3<Real> taken = load<Real>(a.arm + k) * turn + moment;

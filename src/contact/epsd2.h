@@ -10,12 +10,18 @@
 
 namespace repose {
 
+/// k_r in N m.
+template <class Real>
+[[gnu::always_inline]] inline Real epsd2_stiffness(const BasicContactStiffness<Real>& k,
+                                                   const BasicContactGeometry<Real>& contact) {
+  return k.tangential * contact.radius_eff * contact.radius_eff;
+}
+
 /// M after `dt` s, before the limit.
 template <class Real>
-[[gnu::always_inline]] inline Vector3<Real> trial_moment(const BasicContactStiffness<Real>& k,
+[[gnu::always_inline]] inline Vector3<Real> trial_moment(const std::type_identity_t<Real>& k_r,
                                                          const BasicContactGeometry<Real>& contact, double dt,
                                                          const std::type_identity_t<Vector3<Real>>& moment) {
-  const Real k_r = k.tangential * contact.radius_eff * contact.radius_eff;
   return moment + (k_r * dt) * contact.rolling_velocity;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "contact/epsd2.h"
+#include "contact/cdt.h"
+#include "contact/epsd.h"
 #include "contact/hooke.h"
-#include "contact/mindlin.h"
+#include "contact/jkr.h"
 #include "contact/rotation.h"
+#include "contact/sjkr.h"
+#include "contact/viscous_friction.h"
 
 namespace repose {
 
@@ -25,12 +28,37 @@ struct GeneralLaw {
     return (1.0 / square_root(squared_norm(halfway))) * halfway;
   }
 
+  /// What the contact has of `gap` m between overlapping surfaces (negative: they are apart): the gap while it is
+  /// positive, or while surfaces that have touched (`remembers`) are held together; else 0. One that is held at a gap
+  /// of exactly 0 gets the least number.
+  template <class Real, class Condition>
+  [[gnu::always_inline]] static Real overlap(const PairParameters& pair, const Real& gap, const Real& radius_eff,
+                                             const Condition& remembers) {
+    const Real overlap = select(gap > Real{}, gap, Real{});
+    if (!adheres(pair)) return overlap;
+    const auto held = remembers & (gap >= -jkr_pull_off_distance(pair, radius_eff));
+    const Real pulled = select(gap == Real{}, broadcast<Real>(1e-300), gap);
+    return select(held, pulled, overlap);
+  }
+  template <class Real>
+  [[gnu::always_inline]] static auto touches(const BasicContactGeometry<Real>& contact) {
+    return contact.overlap != Real{};
+  }
+
   template <class Real>
   [[gnu::always_inline]] static Vector3<Real> spring(const PairParameters& pair,
                                                      const BasicContactGeometry<Real>& contact, double dt,
                                                      const Vector3<Real>& spring) {
+    if (pair.options.tangential_spring == TangentialSpring::none) return {};
     if (pair.options.tangential_spring == TangentialSpring::projected) return trial_spring(contact, dt, spring);
     return turned(pair, contact, broadcast<Real>(dt) * contact.tangential_velocity, spring);
+  }
+
+  template <class Real>
+  [[gnu::always_inline]] static Real contact_radius(const PairParameters& pair,
+                                                    const BasicContactGeometry<Real>& contact) {
+    if (pair.options.normal_law == NormalLaw::jkr) return jkr_contact_radius(pair, contact);
+    return repose::contact_radius(contact);
   }
 
   template <class Real>
@@ -41,20 +69,66 @@ struct GeneralLaw {
     return hertz_stiffness(pair, contact, contact_radius);
   }
 
+  /// Of the rolling moment's spring, in N m.
+  template <class Real>
+  [[gnu::always_inline]] static Real rolling_stiffness(const PairParameters& pair, const BasicContactStiffness<Real>& k,
+                                                       const BasicContactGeometry<Real>& contact) {
+    if (pair.options.rolling_model == RollingModel::epsd) return epsd_stiffness(pair, k, contact);
+    return epsd2_stiffness(k, contact);
+  }
+
   template <class Real>
   [[gnu::always_inline]] static Vector3<Real> moment(const PairParameters& pair, const BasicContactStiffness<Real>& k,
                                                      const BasicContactGeometry<Real>& contact, double dt,
                                                      const Vector3<Real>& moment) {
-    if (pair.options.rolling_history == RollingHistory::fixed) return trial_moment(k, contact, dt, moment);
-    return turned(pair, contact, trial_moment(k, contact, dt, Vector3<Real>{}), moment);
+    if (pair.options.rolling_model == RollingModel::cdt) return {};
+    const Real k_r = rolling_stiffness(pair, k, contact);
+    if (pair.options.rolling_history == RollingHistory::fixed) return trial_moment(k_r, contact, dt, moment);
+    return turned(pair, contact, trial_moment(k_r, contact, dt, Vector3<Real>{}), moment);
   }
 
-  /// The force of hertz.h, which Hooke's law shares; a NaN stays one.
+  /// The normal law's force in N, dashpot included; a NaN stays one.
   template <class Real>
   [[gnu::always_inline]] static Real normal_force(const PairParameters& pair, const BasicContactStiffness<Real>& k,
-                                                  const BasicContactGeometry<Real>& contact) {
+                                                  const BasicContactGeometry<Real>& contact,
+                                                  const Real& contact_radius) {
+    if (pair.options.normal_law == NormalLaw::jkr) {
+      return jkr_force(pair, contact.radius_eff, contact_radius) - k.normal_damping * contact.normal_velocity;
+    }
     const Real force = hertz_force(k, contact);
     return pair.options.attraction ? force : select(force < Real{}, Real{}, force);
+  }
+
+  /// The force in N that acts along the normal where the normal law gives `normal_force`.
+  template <class Real>
+  [[gnu::always_inline]] static Real with_cohesion(const PairParameters& pair,
+                                                   const BasicContactGeometry<Real>& contact,
+                                                   const Real& normal_force) {
+    if (pair.options.cohesion == Cohesion::none) return normal_force;
+    return normal_force - pair.coefficients.cohesion_energy_density * contact.cohesive_area;
+  }
+
+  /// The force in N whose magnitude limits sliding and rolling. With JKR it is the load and twice the pull-off force
+  /// (Thornton 1991, doi:10.1088/0022-3727/24/11/007).
+  template <class Real>
+  [[gnu::always_inline]] static Real pressing_force(const PairParameters& pair,
+                                                    const BasicContactGeometry<Real>& contact,
+                                                    const Real& normal_force) {
+    if (pair.options.normal_law == NormalLaw::jkr) {
+      return normal_force + select(touches(contact), 2.0 * jkr_pull_off_force(pair, contact.radius_eff), Real{});
+    }
+    return pair.options.cohesion_in_friction ? with_cohesion(pair, contact, normal_force) : normal_force;
+  }
+
+  template <class Real>
+  [[gnu::always_inline]] static BasicSlidingLimit<Real> sliding(const PairParameters& pair,
+                                                                const BasicContactStiffness<Real>& k,
+                                                                const BasicContactGeometry<Real>& contact,
+                                                                const Real& pressing_force, const Real& length) {
+    if (pair.options.tangential_spring == TangentialSpring::none) {
+      return viscous_limit(pair, k, contact, pressing_force);
+    }
+    return sliding_limit(pair, k, pressing_force, length);
   }
 
   /// The dashpot's velocity, which may belong to the plane of half a step ago, acts in that of the force.
@@ -66,6 +140,27 @@ struct GeneralLaw {
     if (pair.synchronised)
       contact.tangential_velocity = without_normal_part(contact.tangential_velocity, contact.normal);
     return mindlin_force(k, contact, spring, damping);
+  }
+
+  /// The moment in N m that acts where the spring's is `moment`, after the limit has left `share` of it.
+  template <class Real>
+  [[gnu::always_inline]] static Vector3<Real> acting_moment(const PairParameters& pair,
+                                                            const BasicContactStiffness<Real>& k,
+                                                            const BasicContactGeometry<Real>& contact,
+                                                            const Vector3<Real>& moment, const Real& share) {
+    if (pair.options.rolling_model == RollingModel::cdt) return cdt_moment(pair, k, contact);
+    if (pair.options.rolling_model == RollingModel::epsd2) return moment;
+    const Real c_r = epsd_damping(pair, epsd_stiffness(pair, k, contact), contact);
+    return moment + select(share < broadcast<Real>(1.0), Real{}, c_r) * contact.rolling_velocity;
+  }
+
+  /// The spring to remember: where surfaces adhere it is never all zero bits while they touch, which is how the next
+  /// step knows that they have touched.
+  template <class Real, class Condition>
+  [[gnu::always_inline]] static Vector3<Real> remembered(const PairParameters& pair, const Vector3<Real>& spring,
+                                                         const Condition& touching) {
+    if (!adheres(pair)) return spring;
+    return {select(touching & (spring.x == Real{}), broadcast<Real>(-0.0), spring.x), spring.y, spring.z};
   }
 
  private:

@@ -11,13 +11,17 @@ namespace repose {
 template <class Real>
 struct BasicContactGeometry {
   Vector3<Real> normal;
-  Real overlap;                       ///< m, not negative
+  Real overlap;                       ///< m; negative in an adhesive contact that is pulled, 0: none
   Real radius_eff;                    ///< R_eff, m (thesis eq. 2.13); R at a wall
   Real mass_eff;                      ///< m_eff, kg (thesis eq. 2.14); m at a wall
   Real normal_velocity;               ///< m/s, positive when parting
   Vector3<Real> tangential_velocity;  ///< m/s, of the surfaces at the contact point
   Vector3<Real> rolling_velocity;     ///< rad/s, relative rotation without its part along the normal
-  Vector3<Real> velocity_normal;      ///< the normal that the velocities refer to; only GeneralLaw reads it
+  // Only GeneralLaw reads these.
+  Vector3<Real> velocity_normal;  ///< the normal that the velocities refer to
+  Real twist;                     ///< rad/s, the relative rotation's part along the normal
+  Real rolling_inertia;           ///< kg m2, reduced, of both bodies about the contact point
+  Real cohesive_area;             ///< m2 (sjkr.h); without cohesion 0
 };
 using ContactGeometry = BasicContactGeometry<double>;
 

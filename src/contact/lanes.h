@@ -52,6 +52,12 @@ template <Lanes Real>
   store(v.z, columns[2] + k);
 }
 
+/// Whether a lane's contact has touched (GeneralLaw::remembered).
+template <Lanes Real>
+[[gnu::always_inline]] inline LaneInt<Real> remembers(const ContactBlock& block, int k) {
+  return reinterpret_cast<LaneBits<Real>>(load<Real>(block.spring[0] + k)) != 0;
+}
+
 /// A body's lever arm in each lane, in m, and the scales of its sums.
 struct LaneBody {
   alignas(64) double arm[block_lanes], force_scale[block_lanes], torque_scale[block_lanes];
@@ -66,7 +72,9 @@ struct LaneBody {
 struct LaneGeometry {
   alignas(64) double normal[3][block_lanes], tangential_velocity[3][block_lanes], rolling_velocity[3][block_lanes];
   alignas(64) double overlap[block_lanes], radius_eff[block_lanes], mass_eff[block_lanes], normal_velocity[block_lanes];
-  alignas(64) double velocity_normal[3][block_lanes];  // of a law with options
+  // Of a law with options alone.
+  alignas(64) double velocity_normal[3][block_lanes], twist[block_lanes], rolling_inertia[block_lanes],
+      cohesive_area[block_lanes];
   template <Lanes Real>
   [[gnu::always_inline]] BasicContactGeometry<Real> get(int k) const {
     return {.normal = load<Real>(normal, k),
@@ -76,7 +84,10 @@ struct LaneGeometry {
             .normal_velocity = load<Real>(normal_velocity + k),
             .tangential_velocity = load<Real>(tangential_velocity, k),
             .rolling_velocity = load<Real>(rolling_velocity, k),
-            .velocity_normal = load<Real>(velocity_normal, k)};
+            .velocity_normal = load<Real>(velocity_normal, k),
+            .twist = load<Real>(twist + k),
+            .rolling_inertia = load<Real>(rolling_inertia + k),
+            .cohesive_area = load<Real>(cohesive_area + k)};
   }
 };
 

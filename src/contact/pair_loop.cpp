@@ -66,30 +66,34 @@ template <Lanes Real>
 
 /// Overlaps, effective radii and masses, lever arms. Returns the number of contacts deeper than `max_overlap` times the
 /// smaller radius.
-template <Lanes Real>
-[[gnu::always_inline]] inline std::int64_t evaluate_overlaps(const PairParameters& pair, double max_overlap,
-                                                             LanePairs& pairs, LaneGeometry& contact, LaneBody& first,
-                                                             LaneBody& second) {
+template <class Law, Lanes Real>
+[[gnu::always_inline]] inline std::int64_t evaluate_overlaps(const PairParameters& pair_in, double max_overlap,
+                                                             const ContactBlock& block, LanePairs& pairs,
+                                                             LaneGeometry& contact, LaneBody& first, LaneBody& second) {
+  const typename Law::Parameters pair = pair_in;
   const double density_first = pair.density_first;
   const double density_second = pair.density_second;
-  const Real none = {};
   LaneInt<Real> deep = {};
   for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
     const Real a = load<Real>(pairs.first_radius + k);
     const Real b = load<Real>(pairs.second_radius + k);
     const Real distance = load<Real>(pairs.distance + k);
-    const Real gap = a + b - distance;
-    const Real overlap = gap > none ? gap : none;
+    const Real radius_eff = a * b / (a + b);
+    const Real overlap = Law::overlap(pair, a + b - distance, radius_eff, remembers<Real>(block, k));
     const Real mass_a = sphere_mass(a, density_first);
     const Real mass_b = sphere_mass(b, density_second);
     store(1.0 / distance, pairs.one_over_distance + k);
     store(overlap, contact.overlap + k);
-    store(a * b / (a + b), contact.radius_eff + k);
+    store(radius_eff, contact.radius_eff + k);
     store(mass_a * mass_b / (mass_a + mass_b), contact.mass_eff + k);
     store(a - 0.5 * overlap, first.arm + k);
     store(b - 0.5 * overlap, second.arm + k);
     const Real smaller = a < b ? a : b;
     deep += overlap > max_overlap * smaller;
+    if constexpr (Law::has_options) {
+      store(rolling_inertia(mass_a * (a * a), mass_b * (b * b)), contact.rolling_inertia + k);
+      store(cohesive_area_of_spheres(pair, a, b, distance, overlap), contact.cohesive_area + k);
+    }
   }
   return count(deep);
 }
@@ -111,7 +115,10 @@ template <class Law, Lanes Real>
     store(v_n, contact.normal_velocity + k);
     store(v - v_n * n_v - cross(turning, n_v), contact.tangential_velocity, k);
     store(without_normal_part(spin_a - spin_b, n_v), contact.rolling_velocity, k);
-    if constexpr (Law::has_options) store(n_v, contact.velocity_normal, k);
+    if constexpr (Law::has_options) {
+      store(n_v, contact.velocity_normal, k);
+      store(dot(spin_a - spin_b, n_v), contact.twist + k);
+    }
   }
 }
 
@@ -126,7 +133,7 @@ template <class Law, Lanes Real>
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const Prefetch prefetch(blocks, fetch, k + 4, records, sums);
     gather_pairs<Real>(prefetch, records, blocks[k], pairs, first, second);
-    alarms.too_deep += evaluate_overlaps<Real>(pair, max_overlap, pairs, contact, first, second);
+    alarms.too_deep += evaluate_overlaps<Law, Real>(pair, max_overlap, blocks[k], pairs, contact, first, second);
     evaluate_velocities<Law, Real>(pair, dt, pairs, first, second, contact);
     const std::uint64_t difference = evaluate_law<Law, Real>(pair, dt, contact, first, &second, blocks[k], sums);
     alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;

@@ -70,28 +70,33 @@ template <class Law, Lanes Real, bool may_move>
 [[gnu::always_inline]] inline std::int64_t evaluate_geometry(const WallLaw& law, const ParticleRecord* records,
                                                              const ContactBlock& block, const LaneWalls& walls,
                                                              LaneGeometry& contact, LaneBody& body) {
-  const double density = law.pair.density_first;
+  const typename Law::Parameters pair = law.pair;
+  const double density = pair.density_first;
   const double max_overlap = law.max_overlap;
-  const Real none = {};
   LaneInt<Real> deep = {};
   for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
     const LaneParticle<Real> p = gather<Real>(records, block.first + k);
     const Real distance = load<Real>(walls.distance + k);
     const Vector3<Real> n = load<Real>(walls.normal, k);
     const SeenFromWall<Real> seen = see_from<Real, may_move>(law.surface, p, distance, n);
-    const Real gap = p.radius - distance;
-    const Real overlap = gap > none ? gap : none;
+    const Real overlap = Law::overlap(pair, p.radius - distance, p.radius, remembers<Real>(block, k));
     const Real arm = p.radius - 0.5 * overlap;
     const Real v_n = dot(seen.velocity, n);
     store(n, contact.normal, k);
     store(overlap, contact.overlap + k);
     store(p.radius, contact.radius_eff + k);
-    store(sphere_mass(p.radius, density), contact.mass_eff + k);
+    const Real mass = sphere_mass(p.radius, density);
+    store(mass, contact.mass_eff + k);
     store(v_n, contact.normal_velocity + k);
     store(seen.velocity - v_n * n - arm * cross(p.spin, n), contact.tangential_velocity, k);
     // The thesis's program scales the rotation at a wall by the lever arm over the distance.
     store((arm / distance) * without_normal_part(seen.spin, n), contact.rolling_velocity, k);
-    if constexpr (Law::has_options) store(n, contact.velocity_normal, k);  // of a flat wall, the same at all times
+    if constexpr (Law::has_options) {
+      store(n, contact.velocity_normal, k);  // of a flat wall, the same at all times
+      store((arm / distance) * dot(seen.spin, n), contact.twist + k);
+      store(1.4 * (mass * (p.radius * p.radius)), contact.rolling_inertia + k);
+      store(cohesive_area_at_wall(pair, p.radius, distance, overlap), contact.cohesive_area + k);
+    }
     store(arm, body.arm + k);
     body.set_scales(k, p);
     deep += overlap > max_overlap * p.radius;

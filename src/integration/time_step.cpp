@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/math.h"
 #include "scene/insertion/region.h"
+#include "scene/particles/hooke_spring.h"
 #include "scene/particles/sphere_mass.h"
 #include "scene/walls/motion.h"
 
@@ -61,8 +62,9 @@ double shortest_hertz_time(const MaterialTable& materials, const SmallestRadii& 
 }
 
 double shortest_hooke_time(const MaterialTable& materials, const SmallestRadii& radii) {
-  return shortest_contact_time(materials, radii, [](const PairParameters& pair, double, double mass_eff) {
-    return hooke_time(mass_eff, pair.coefficients.hooke_stiffness, pair.coefficients.hooke_tangential_ratio);
+  return shortest_contact_time(materials, radii, [](const PairParameters& pair, double radius_eff, double mass_eff) {
+    return hooke_time(mass_eff, hooke_normal_stiffness(pair, radius_eff, mass_eff),
+                      pair.coefficients.hooke_tangential_ratio);
   });
 }
 

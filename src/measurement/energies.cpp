@@ -13,19 +13,28 @@ double mass_of(const Particles& particles, const MaterialTable& materials, std::
   return sphere_mass(particles.record[i].radius, materials[static_cast<std::size_t>(particles.material[i])].density);
 }
 
-double spring_energy(const PairParameters& pair, double overlap, double radius_eff, const ContactHistory& history) {
+double normal_energy(const PairParameters& pair, const ContactGeometry& contact, const ContactStiffness& k,
+                     double contact_radius) {
+  if (pair.options.normal_law == NormalLaw::jkr) return jkr_energy(pair, contact.radius_eff, contact_radius);
+  const double work = pair.options.normal_law == NormalLaw::hooke ? 0.5 : 0.4;
+  return work * k.normal * contact.overlap * contact.overlap;
+}
+
+double spring_energy(const PairParameters& pair, double overlap, double radius_eff, double mass_eff,
+                     const ContactHistory& history) {
   ContactGeometry contact = {};
   contact.overlap = overlap;
   contact.radius_eff = radius_eff;
-  const ContactStiffness k = GeneralLaw::stiffness(pair, contact, contact_radius(contact));
-  const double work = pair.options.normal_law == NormalLaw::hooke ? 0.5 : 0.4;
-  const double k_r = k.tangential * radius_eff * radius_eff;
-  return work * k.normal * overlap * overlap + 0.5 * k.tangential * squared_norm(history.spring) +
-         0.5 * squared_norm(history.rolling) / k_r;
+  contact.mass_eff = mass_eff;
+  const double radius = GeneralLaw::contact_radius(pair, contact);
+  const ContactStiffness k = GeneralLaw::stiffness(pair, contact, radius);
+  const double k_r = GeneralLaw::rolling_stiffness(pair, k, contact);
+  return normal_energy(pair, contact, k, radius) + 0.5 * k.tangential * squared_norm(history.spring) +
+         (k_r > 0.0 ? 0.5 * squared_norm(history.rolling) / k_r : 0.0);
 }
 
 /// Calls visit(group, first, second, overlap, lane) for every touching pair that counts here: the rank that owns the
-/// lower id counts it.
+/// lower id counts it. What remembers at a negative overlap is held together by adhesion.
 template <class Visit>
 void for_each_touching_pair(const Particles& particles, const PairLists& pairs, Visit&& visit) {
   for (const PairGroup& group : pairs.groups()) {
@@ -36,7 +45,8 @@ void for_each_touching_pair(const Particles& particles, const PairLists& pairs, 
       const ParticleRecord& a = particles.record[i];
       const ParticleRecord& b = particles.record[j];
       const double overlap = a.radius + b.radius - norm(a.position - b.position);
-      if (overlap > 0.0) visit(group, i, j, overlap, static_cast<std::size_t>(pair.lane));
+      const auto lane = static_cast<std::size_t>(pair.lane);
+      if (overlap > 0.0 || !is_blank(lane_history(group, lane))) visit(group, i, j, overlap, lane);
     }
   }
 }
@@ -64,14 +74,18 @@ Energies measure_energies(const Communicator& comm, const Vec3& gravity, const M
         const double rj = particles.record[j].radius;
         const PairParameters& pair =
             materials.pair(static_cast<std::size_t>(g.material_first), static_cast<std::size_t>(g.material_second));
-        elastic.push_back(spring_energy(pair, overlap, ri * rj / (ri + rj), lane_history(g, lane)));
+        const double mi = sphere_mass(ri, pair.density_first);
+        const double mj = sphere_mass(rj, pair.density_second);
+        elastic.push_back(
+            spring_energy(pair, overlap, ri * rj / (ri + rj), mi * mj / (mi + mj), lane_history(g, lane)));
       });
   for (const WallContact& c : wall_contacts.contacts(walls, particles)) {
     const auto i = static_cast<std::size_t>(c.particle);
     const auto wall_material = static_cast<std::size_t>(walls[static_cast<std::size_t>(c.wall)].material);
-    if (is_parked(particles.record[i]) || c.overlap <= 0.0) continue;
-    elastic.push_back(spring_energy(materials.pair(static_cast<std::size_t>(particles.material[i]), wall_material),
-                                    c.overlap, particles.record[i].radius, c.history));
+    const PairParameters& pair = materials.pair(static_cast<std::size_t>(particles.material[i]), wall_material);
+    if (is_parked(particles.record[i]) || (c.overlap <= 0.0 && !adheres(pair))) continue;
+    const double radius = particles.record[i].radius;
+    elastic.push_back(spring_energy(pair, c.overlap, radius, sphere_mass(radius, pair.density_first), c.history));
   }
   return {order_independent_sum(comm, translational), order_independent_sum(comm, rotational),
           order_independent_sum(comm, gravitational), order_independent_sum(comm, elastic)};

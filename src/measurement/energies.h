@@ -12,8 +12,9 @@
 namespace repose {
 
 /// Mechanical energy of all particles in the domain that are not held, J. The elastic part is what the springs hold:
-/// 2/5 k_n delta^2 of the Hertz force (its work; 1/2 k_n delta^2 of Hooke's), k_t xi^2 / 2 and M^2 / (2 k_r); the law
-/// is not exactly conservative, since k_t and k_r grow and shrink with the overlap.
+/// 2/5 k_n delta^2 of the Hertz force (its work; 1/2 k_n delta^2 of Hooke's), k_t xi^2 / 2 and M^2 / (2 k_r), with
+/// JKR the work of its force, which is negative where adhesion holds; cohesion by areas is left out. The law is not
+/// exactly conservative, since k_t and k_r grow and shrink with the overlap.
 struct Energies {
   double translational = 0.0;
   double rotational = 0.0;

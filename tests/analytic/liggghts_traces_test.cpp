@@ -35,6 +35,26 @@ std::vector<TraceRow> read_trace(const std::string& path) {
 
 Vec3 vector_of(const nlohmann::json& j) { return {j[0], j[1], j[2]}; }
 
+/// The options that the words of LIGGGHTS's pair_style stand for.
+void set_model(const nlohmann::json& j, Deck& deck) {
+  const std::string model = j.value("model", "");
+  const auto has = [&](const char* words) { return model.find(words) != std::string::npos; };
+  if (has("tangential no_history")) {  // and no rolling model
+    deck.contact.tangential_spring = TangentialSpring::none;
+    for (PairDeck& pair : deck.pairs) pair.rolling_friction = 0.0;
+  }
+  if (!has("rolling_friction") && has("cohesion")) {
+    for (PairDeck& pair : deck.pairs) pair.rolling_friction = 0.0;
+  }
+  if (has("rolling_friction cdt")) deck.contact.rolling_model = RollingModel::cdt;
+  if (has("rolling_friction epsd")) deck.contact.rolling_model = RollingModel::epsd;
+  if (has("cohesion sjkr")) deck.contact.cohesion = Cohesion::sjkr;
+  for (std::size_t k = 0; k < deck.pairs.size(); ++k) {
+    if (has("cohesion")) deck.pairs[k].cohesion_energy_density = j["cohesion_energy_density_pp_pw"][k];
+    if (has("epsd")) deck.pairs[k].rolling_viscous_damping = j["rolling_viscous_damping_pp_pw"][k];
+  }
+}
+
 Deck deck_of(const nlohmann::json& j) {
   Coefficients c;
   c.youngs_modulus = j["youngs_modulus"];
@@ -47,6 +67,7 @@ Deck deck_of(const nlohmann::json& j) {
   c.rolling_pp = j["rolling_pp"];
   c.rolling_pw = j["rolling_pw"];
   Deck deck = bare_deck(c, j["dt"]);
+  set_model(j, deck);
   deck.gravity = vector_of(j["gravity"]);
   if (!j["wall_plane_z"].is_null()) deck.walls.push_back(floor_at(j["wall_plane_z"]));
   return deck;
@@ -67,7 +88,7 @@ struct Deviation {
 class LiggghtsTrace : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(LiggghtsTrace, IsFollowedOverItsWholeLength) {
-  const std::string base = std::string(REPOSE_SOURCE_DIR) + "/tests/reference/liggghts/" + GetParam();
+  const std::string base = std::string(REPOSE_SOURCE_DIR) + "/tests/reference/" + GetParam();
   std::ifstream parameters(base + ".json");
   const nlohmann::json j = nlohmann::json::parse(parameters);
   std::vector<Grain> grains;
@@ -98,9 +119,14 @@ TEST_P(LiggghtsTrace, IsFollowedOverItsWholeLength) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LiggghtsTrace,
-                         ::testing::Values("pair_normal_impact", "pair_oblique_spin_unequal", "three_sphere_heap",
-                                           "wall_oblique_bounce", "wall_roll_down_incline", "wall_roll_to_rest"),
-                         [](const auto& test) { return test.param; });
+                         ::testing::Values("liggghts/pair_normal_impact", "liggghts/pair_oblique_spin_unequal",
+                                           "liggghts/three_sphere_heap", "liggghts/wall_oblique_bounce",
+                                           "liggghts/wall_roll_down_incline", "liggghts/wall_roll_to_rest",
+                                           "liggghts_models/cdt_pair_oblique", "liggghts_models/cdt_wall_rolls",
+                                           "liggghts_models/epsd_pair_oblique", "liggghts_models/epsd_wall_rolls",
+                                           "liggghts_models/no_history_pair_oblique",
+                                           "liggghts_models/sjkr_pair_sticks", "liggghts_models/sjkr_wall_lands"),
+                         [](const auto& test) { return test.param.substr(test.param.find('/') + 1); });
 
 }  // namespace
 }  // namespace repose::test

@@ -23,7 +23,7 @@ inline Vec3 mindlin_force(const PairParameters& pair, const ContactStiffness& k,
 /// The new value of `moment`.
 inline Vec3 epsd2_moment(const PairParameters& pair, const ContactStiffness& k, const ContactGeometry& contact,
                          double normal_force, double dt, const Vec3& moment) {
-  const Vec3 trial = trial_moment(k, contact, dt, moment);
+  const Vec3 trial = trial_moment(epsd2_stiffness(k, contact), contact, dt, moment);
   return rolling_limit(pair, contact, normal_force, norm(trial)) * trial;
 }
 
@@ -37,15 +37,20 @@ struct ContactForces {
 template <class Law>
 ContactForces contact_law_of(const PairParameters& pair, const ContactGeometry& contact, double dt,
                              ContactHistory& history) {
-  const ContactStiffness k = Law::stiffness(pair, contact, contact_radius(contact));
-  const double f_n = Law::normal_force(pair, k, contact);
+  const double radius = Law::contact_radius(pair, contact);
+  const ContactStiffness k = Law::stiffness(pair, contact, radius);
+  const double f_n = Law::normal_force(pair, k, contact, radius);
+  const double pressing = Law::pressing_force(pair, contact, f_n);
   const Vec3 spring = Law::spring(pair, contact, dt, history.spring);
   const Vec3 moment = Law::moment(pair, k, contact, dt, history.rolling);
-  const BasicSlidingLimit<double> limit = sliding_limit(pair, k, f_n, norm(spring));
-  history.spring = limit.share * spring;
-  history.rolling = rolling_limit(pair, contact, f_n, norm(moment)) * moment;
-  const Vec3 f_t = Law::friction(pair, k, contact, history.spring, limit.damping);
-  return {f_n * contact.normal + f_t, cross(contact.normal, f_t), history.rolling};
+  const BasicSlidingLimit<double> limit = Law::sliding(pair, k, contact, pressing, norm(spring));
+  const double rolling_share = rolling_limit(pair, contact, pressing, norm(moment));
+  const Vec3 limited = limit.share * spring;
+  history.spring = Law::remembered(pair, limited, true);
+  history.rolling = rolling_share * moment;
+  const Vec3 f_t = Law::friction(pair, k, contact, limited, limit.damping);
+  return {Law::with_cohesion(pair, contact, f_n) * contact.normal + f_t, cross(contact.normal, f_t),
+          Law::acting_moment(pair, k, contact, history.rolling, rolling_share)};
 }
 
 /// The law that the loops choose for the pair.

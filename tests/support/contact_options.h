@@ -28,6 +28,59 @@ inline std::vector<Deck> decks_of_all_options(const Deck& deck) {
   return decks;
 }
 
+/// `deck` with each contact model that is none of those options, alone and with others.
+inline std::vector<Deck> decks_of_all_models(const Deck& deck) {
+  std::vector<Deck> decks;
+  const auto add = [&](const auto& change) {
+    Deck d = deck;
+    change(d.contact, d.pairs);
+    decks.push_back(d);
+  };
+  const auto set = [](std::vector<PairDeck>& pairs, double PairCoefficients::*member, double value) {
+    for (PairDeck& pair : pairs) pair.*member = value;
+  };
+  add([](ContactDeck& c, auto&) { c.tangential_spring = TangentialSpring::none; });
+  add([](ContactDeck& c, auto&) { c.tangential_damping = TangentialDamping::none; });
+  add([](ContactDeck& c, auto&) { c.tangential_damping = TangentialDamping::normal; });
+  add([](ContactDeck& c, auto&) { c.rolling_model = RollingModel::cdt; });
+  add([&](ContactDeck& c, auto& pairs) {
+    c.rolling_model = RollingModel::epsd;
+    set(pairs, &PairCoefficients::rolling_viscous_damping, 0.3);
+  });
+  add([](ContactDeck& c, auto&) {
+    c.attraction = false;
+    c.restitution_correction = false;
+  });
+  for (const Cohesion cohesion : {Cohesion::sjkr, Cohesion::sjkr2}) {
+    for (const bool in_friction : {false, true}) {
+      add([&](ContactDeck& c, auto& pairs) {
+        c.cohesion = cohesion;
+        c.cohesion_in_friction = in_friction;
+        set(pairs, &PairCoefficients::cohesion_energy_density, 2e5);
+      });
+    }
+  }
+  add([](ContactDeck& c, auto&) {
+    c.normal_law = NormalLaw::hooke;
+    c.hooke_characteristic_velocity = 2.0;
+  });
+  add([&](ContactDeck& c, auto& pairs) {
+    c.normal_law = NormalLaw::hooke;
+    set(pairs, &PairCoefficients::hooke_stiffness, 400.0);
+    set(pairs, &PairCoefficients::hooke_damping_rate, 800.0);
+    set(pairs, &PairCoefficients::hooke_tangential_damping_rate, 300.0);
+    set(pairs, &PairCoefficients::restitution, unset);
+  });
+  add([&](ContactDeck& c, auto& pairs) {
+    c.normal_law = NormalLaw::jkr;
+    c.rolling_model = RollingModel::epsd;
+    c.rolling_history = RollingHistory::rotated;
+    set(pairs, &PairCoefficients::work_of_adhesion, 0.05);
+    set(pairs, &PairCoefficients::rolling_viscous_damping, 0.3);
+  });
+  return decks;
+}
+
 /// `deck` with none of the defaults.
 inline Deck with_all_options(const Deck& deck) { return decks_of_all_options(deck).back(); }
 

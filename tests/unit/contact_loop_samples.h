@@ -112,18 +112,22 @@ inline void evaluate_scalar(const ParticleRecord& a, const ParticleRecord& b, co
   const Vec3 apart = a.position - b.position;
   const double distance = norm(apart);
   ContactGeometry contact = {};
-  contact.overlap = a.radius + b.radius - distance;
-  if (!(contact.overlap > 0.0)) {
+  contact.radius_eff = a.radius * b.radius / (a.radius + b.radius);
+  contact.overlap = with_law(pair, [&](auto law) {
+    return decltype(law)::overlap(pair, a.radius + b.radius - distance, contact.radius_eff, !is_blank(history));
+  });
+  if (contact.overlap == 0.0) {
     history = {};
     return;
   }
   contact.normal = (1.0 / distance) * apart;
-  contact.radius_eff = a.radius * b.radius / (a.radius + b.radius);
   const double mass_a = sphere_mass(a.radius, pair.density_first);
   const double mass_b = sphere_mass(b.radius, pair.density_second);
   contact.mass_eff = mass_a * mass_b / (mass_a + mass_b);
   const double arm_a = a.radius - 0.5 * contact.overlap;
   const double arm_b = b.radius - 0.5 * contact.overlap;
+  contact.rolling_inertia = rolling_inertia(mass_a * (a.radius * a.radius), mass_b * (b.radius * b.radius));
+  contact.cohesive_area = cohesive_area_of_spheres(pair, a.radius, b.radius, distance, contact.overlap);
   const Vec3 velocity = a.velocity - b.velocity;
   const Vec3 n_v = with_law(
       pair, [&](auto law) { return decltype(law)::velocity_normal(pair, loop_dt, apart, velocity, contact.normal); });
@@ -131,6 +135,7 @@ inline void evaluate_scalar(const ParticleRecord& a, const ParticleRecord& b, co
   contact.normal_velocity = dot(velocity, n_v);
   contact.tangential_velocity = velocity - contact.normal_velocity * n_v - cross(arm_a * a.spin + arm_b * b.spin, n_v);
   contact.rolling_velocity = without_normal_part(a.spin - b.spin, n_v);
+  contact.twist = dot(a.spin - b.spin, n_v);
   const ContactForces forces = contact_law(pair, contact, loop_dt, history);
   alarms.too_deep += contact.overlap > loop_max_overlap * std::min(a.radius, b.radius) ? 1 : 0;
   bool fits = add(forces.force, a.force_scale, on_a.force);

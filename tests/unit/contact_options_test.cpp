@@ -34,13 +34,13 @@ TEST(Attraction, IsCutAtZero) {
     ContactGeometry contact = round_contact();
     contact.normal_velocity = 0.1;
     const ContactStiffness k = GeneralLaw::stiffness(pair, contact, contact_radius(contact));
-    const double pull = GeneralLaw::normal_force(pair, k, contact);
+    const double pull = GeneralLaw::normal_force(pair, k, contact, contact_radius(contact));
     EXPECT_LT(pull, 0.0);
     EXPECT_EQ(pull, hertz_force(k, contact));
     pair.options.attraction = false;
-    EXPECT_EQ(GeneralLaw::normal_force(pair, k, contact), 0.0);
+    EXPECT_EQ(GeneralLaw::normal_force(pair, k, contact, contact_radius(contact)), 0.0);
     contact.normal_velocity = -0.1;
-    EXPECT_EQ(GeneralLaw::normal_force(pair, k, contact), hertz_force(k, contact));
+    EXPECT_EQ(GeneralLaw::normal_force(pair, k, contact, contact_radius(contact)), hertz_force(k, contact));
   }
 }
 

@@ -55,6 +55,28 @@ TEST(PairLoopWithOptions, IsTheContactLawBitForBitAtEveryLevel) {
   EXPECT_EQ(all.size(), 32U);
 }
 
+TEST(PairLoopWithModels, IsTheContactLawBitForBitAtEveryLevel) {
+  const Deck plain = bare_deck({}, loop_dt);
+  std::vector<Outcome> all = {
+      evaluate_scalar(random_loop(21, 500, MaterialTable(plain)), MaterialTable(plain).pair(0, 0))};
+  for (const Deck& deck : decks_of_all_models(plain)) {
+    SCOPED_TRACE(all.size());
+    const MaterialTable materials(deck);
+    const Loop loop = random_loop(21, 500, materials);
+    const Outcome scalar = evaluate_scalar(loop, materials.pair(0, 0));
+    ASSERT_FALSE(scalar.alarms.any());
+    for (const VectorLevel level : levels_here()) {
+      SCOPED_TRACE(to_string(level));
+      expect_same_bits(evaluate(level, loop, materials.pair(0, 0)), scalar);
+    }
+    for (const Outcome& other : all) {  // each model does something
+      EXPECT_NE(std::memcmp(scalar.sums.data(), other.sums.data(), scalar.sums.size() * sizeof(ForceSum)), 0);
+    }
+    all.push_back(scalar);
+  }
+  EXPECT_EQ(all.size(), 14U);
+}
+
 TEST(PairLoopWithOptions, ReportsNan) {
   for (const Deck& deck : decks_of_all_options(bare_deck({}, loop_dt))) {
     const MaterialTable materials(deck);

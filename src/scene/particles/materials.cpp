@@ -3,20 +3,46 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "scene/particles/damping.h"
+#include "scene/particles/hooke_spring.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {
+
+/// N: of the spring alone, at an overlap of `overlap` m; no more than that of JKR's law, which pulls beside it.
+double spring_force(const PairParameters& pair, double radius, double mass, double overlap) {
+  if (pair.options.normal_law == NormalLaw::hooke) return hooke_normal_stiffness(pair, radius, mass) * overlap;
+  return 4.0 / 3.0 * pair.youngs_modulus_eff * std::sqrt(radius * overlap) * overlap;
+}
+
+/// N: what adhesion and cohesion can pull with at an overlap of `overlap` m.
+double greatest_pull(const PairParameters& pair, double radius, double overlap) {
+  const double area = 4.0 * pi * radius * overlap;  // the larger of sjkr.h's
+  return 1.5 * pi * radius * pair.coefficients.work_of_adhesion + pair.coefficients.cohesion_energy_density * area;
+}
+
+/// c_t / c_n.
+double tangential_damping_ratio(const Deck& deck, const PairDeck& pair, const PairParameters& p) {
+  switch (deck.contact.tangential_damping) {
+    case TangentialDamping::none:
+      return 0.0;
+    case TangentialDamping::normal:
+      return 1.0;
+    default:
+      return std::sqrt(deck.contact.normal_law == NormalLaw::hooke ? pair.hooke_tangential_ratio
+                                                                   : 4.0 * p.shear_modulus_eff / p.youngs_modulus_eff);
+  }
+}
 
 /// What the options make of the pair.
 void set_options(const Deck& deck, const PairDeck& deck_pair, PairParameters& p) {
   p.options = deck.contact;
   p.coefficients = deck_pair;
   p.synchronised = deck.time.integrator == Integrator::synchronised_verlet;
-  if (deck.contact.normal_law == NormalLaw::hooke) {
-    p.tangential_damping_ratio = std::sqrt(deck_pair.hooke_tangential_ratio);
-  }
-  if (deck.contact.attraction) return;
+  if (deck.contact.tangential_damping == TangentialDamping::none) p.coefficients.hooke_tangential_damping_rate = 0.0;
+  if (deck.contact.attraction || !deck.contact.restitution_correction || has_hooke_damping_rate(deck_pair)) return;
   const double attractive = p.damping_ratio;
   p.damping_ratio = damping_ratio_without_attraction(deck_pair.restitution);
   // The tangential dashpot is not cut: it stays as it is.
@@ -43,8 +69,8 @@ MaterialTable::MaterialTable(const Deck& deck) {
                                     (1.0 - mj.poisson_ratio * mj.poisson_ratio) / mj.youngs_modulus);
       p.shear_modulus_eff = 1.0 / (2.0 * (2.0 - mi.poisson_ratio) * (1.0 + mi.poisson_ratio) / mi.youngs_modulus +
                                    2.0 * (2.0 - mj.poisson_ratio) * (1.0 + mj.poisson_ratio) / mj.youngs_modulus);
-      p.damping_ratio = damping_ratio(deck_pair.restitution);
-      p.tangential_damping_ratio = std::sqrt(4.0 * p.shear_modulus_eff / p.youngs_modulus_eff);
+      if (!has_hooke_damping_rate(deck_pair)) p.damping_ratio = damping_ratio(deck_pair.restitution);
+      p.tangential_damping_ratio = tangential_damping_ratio(deck, deck_pair, p);
       p.sliding_friction = deck_pair.sliding_friction;
       p.rolling_friction = deck_pair.rolling_friction;
       set_options(deck, deck_pair, p);
@@ -78,16 +104,13 @@ double MaterialTable::greatest_force(std::size_t material, double radius, double
   double greatest = 0.0;
   for (std::size_t other = 0; other < size(); ++other) {
     const PairParameters& p = pair(material, other);
-    greatest = std::max(greatest, std::max(1.0, -p.damping_ratio) * spring_force(p, radius, overlap));
+    const double mass = sphere_mass(radius, materials_[material].density);
+    greatest = std::max(greatest, std::max(1.0, -p.damping_ratio) * spring_force(p, radius, mass, overlap) +
+                                      greatest_pull(p, radius, overlap));
   }
   return greatest;
 }
 
 bool follows_thesis(const PairParameters& pair) { return pair.options == ContactDeck{} && !pair.synchronised; }
-
-double spring_force(const PairParameters& pair, double radius_eff, double overlap) {
-  if (pair.options.normal_law == NormalLaw::hooke) return pair.coefficients.hooke_stiffness * overlap;
-  return 4.0 / 3.0 * pair.youngs_modulus_eff * std::sqrt(radius_eff * overlap) * overlap;
-}
 
 }  // namespace repose

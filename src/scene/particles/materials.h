@@ -37,8 +37,8 @@ struct PairParameters : ContactParameters {
 /// Whether the contact law is that of the thesis, with none of the options.
 bool follows_thesis(const PairParameters& pair);
 
-/// N: of the spring alone, at an overlap of `overlap` m and an effective radius of `radius_eff` m.
-double spring_force(const PairParameters& pair, double radius_eff, double overlap);
+/// Whether surfaces that have touched may hold together when they are apart.
+inline bool adheres(const PairParameters& pair) { return pair.options.normal_law == NormalLaw::jkr; }
 
 /// The materials of a deck and the symmetric table of their pairs, by index. Behind the materials come their twins for
 /// particles that are held (fixed, or on a prescribed path): the same solid, in contacts of infinite mass.
@@ -57,7 +57,7 @@ class MaterialTable {
   int index_of(const std::string& name) const;
   const PairParameters& pair(std::size_t first, std::size_t second) const { return pairs_[first * size() + second]; }
   /// Greatest normal force in N that a particle of this material and `radius` m can meet at an overlap of `overlap` m,
-  /// without dashpots, times the damping ratio where that exceeds 1.
+  /// without dashpots, times the damping ratio where that exceeds 1, and what adhesion may add.
   double greatest_force(std::size_t material, double radius, double overlap) const;
 
  private:

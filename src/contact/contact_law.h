@@ -65,7 +65,7 @@ template <class Law, Lanes Real>
     const BasicContactGeometry<Real> contact = lanes.get<Real>(k);
     const BasicContactStiffness<Real> stiffness = law.stiffness<Real>(k);
     const Real f_n = Law::normal_force(pair, stiffness, contact, load<Real>(law.contact_radius + k));
-    const Real pressing = Law::pressing_force(pair, contact, f_n);
+    const Real pressing = Law::pressing_force(pair, stiffness, contact, f_n);
     const BasicSlidingLimit<Real> sliding =
         Law::sliding(pair, stiffness, contact, pressing, load<Real>(law.spring_length + k));
     store(Law::with_cohesion(pair, contact, f_n), law.normal_force + k);

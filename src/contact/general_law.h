@@ -108,14 +108,15 @@ struct GeneralLaw {
     return normal_force - pair.coefficients.cohesion_energy_density * contact.cohesive_area;
   }
 
-  /// The force in N whose magnitude limits sliding and rolling. With JKR it is the load and twice the pull-off force
-  /// (Thornton 1991, doi:10.1088/0022-3727/24/11/007).
+  /// The force in N whose magnitude limits sliding and rolling. With JKR it is the force without its dashpot and twice
+  /// the pull-off force (Thornton 1991, doi:10.1088/0022-3727/24/11/007).
   template <class Real>
-  [[gnu::always_inline]] static Real pressing_force(const PairParameters& pair,
+  [[gnu::always_inline]] static Real pressing_force(const PairParameters& pair, const BasicContactStiffness<Real>& k,
                                                     const BasicContactGeometry<Real>& contact,
                                                     const Real& normal_force) {
     if (pair.options.normal_law == NormalLaw::jkr) {
-      return normal_force + select(touches(contact), 2.0 * jkr_pull_off_force(pair, contact.radius_eff), Real{});
+      const Real pull = select(touches(contact), 2.0 * jkr_pull_off_force(pair, contact.radius_eff), Real{});
+      return normal_force + k.normal_damping * contact.normal_velocity + pull;
     }
     return pair.options.cohesion_in_friction ? with_cohesion(pair, contact, normal_force) : normal_force;
   }

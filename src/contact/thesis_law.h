@@ -58,8 +58,8 @@ struct ThesisLaw {
     return normal_force;
   }
   template <class Real>
-  [[gnu::always_inline]] static Real pressing_force(const Parameters&, const BasicContactGeometry<Real>&,
-                                                    const Real& normal_force) {
+  [[gnu::always_inline]] static Real pressing_force(const Parameters&, const BasicContactStiffness<Real>&,
+                                                    const BasicContactGeometry<Real>&, const Real& normal_force) {
     return normal_force;
   }
   template <class Real>

@@ -17,15 +17,15 @@ bool is_touched(const TouchBuffer& touches, int wall, int feature) {
                      [&](const WallTouch& t) { return t.wall == wall && t.feature == feature && t.superseded_by < 0; });
 }
 
-/// Whether a particle that moves by less than `skin` can touch one face and nothing else, and remembers of no other.
+/// Whether a particle that feels what is nearer than `touching` (m) and moves by less than `skin` can touch one face
+/// and nothing else, and remembers of no other.
 bool is_at_one_face(std::span<const Wall> walls, const TouchBuffer& touches, std::span<const WallMemory> memory,
-                    const ParticleRecord& particle, double skin) {
+                    const Vec3& centre, double touching, double skin) {
   if (touches.size() != 1 || !touches[0].on_face || memory.size() > 1) return false;
   const WallTouch& t = touches[0];
   if (!memory.empty() && (memory[0].wall != t.wall || memory[0].feature != t.feature)) return false;
   const Wall& wall = walls[static_cast<std::size_t>(t.wall)];
-  return keeps_to_face(wall, t.feature, particle.position, particle.radius + skin + wall.inner_skin,
-                       skin + wall.inner_skin);
+  return keeps_to_face(wall, t.feature, centre, touching + skin + wall.inner_skin, skin + wall.inner_skin);
 }
 
 /// Whether a wall is nearer than `reach` to a particle, be it across a periodic boundary that it may pass.
@@ -82,6 +82,7 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
 
 void WallContacts::select_near(const Particles& particles, std::span<const Wall> walls, const SkinRule& rule) {
   const Csr<WallMemory> memory = this->memory(particles.owned);
+  adhesion_range_ = rule.adhesion_range;
   for (FaceGroup& group : faces_) {
     group.blocks.clear();
     group.lanes = 0;
@@ -95,13 +96,14 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
     const ParticleRecord& p = particles.record[i];
     if (is_parked(p)) continue;
     const double skin = skin_of(p, rule);
+    const double touching = p.radius + rule.adhesion_range;
     const Vec3 position = particles.position(i);
     const auto first = static_cast<std::int32_t>(near_walls_.size());
     touches.clear();
     for (std::int32_t k = 0; k < candidate.walls; ++k) {
       const std::int32_t w = candidate_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
       const Wall& wall = walls[static_cast<std::size_t>(w)];
-      const double range = p.radius + skin + wall.inner_skin;
+      const double range = touching + skin + wall.inner_skin;
       bool near = false;
       particles.periodic.for_each_shift(position, skin, [&](const Vec3& shift) {
         near |= find_touches(wall, w, position + shift, range, touches) > 0 ||
@@ -112,7 +114,8 @@ void WallContacts::select_near(const Particles& particles, std::span<const Wall>
     const auto count = static_cast<std::int32_t>(near_walls_.size()) - first;
     if (count == 0) continue;
     const std::span<const WallMemory> old = memory.row(i);
-    if (particles.periodic.stays_inside(p.position, skin) && is_at_one_face(walls, touches, old, p, skin)) {
+    if (particles.periodic.stays_inside(p.position, skin) &&
+        is_at_one_face(walls, touches, old, p.position, touching, skin)) {
       near_walls_.resize(static_cast<std::size_t>(first));
       const Wall& wall = walls[static_cast<std::size_t>(touches[0].wall)];
       add_lane(group_for(particles, i, wall, touches[0]), candidate.particle,
@@ -188,7 +191,7 @@ void WallContacts::find_contacts(std::span<const Wall> walls, const Particles& p
     for (std::int32_t k = 0; k < candidate.walls; ++k) {
       const std::int32_t w = near_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
       const Wall& wall = walls[static_cast<std::size_t>(w)];
-      if (wall.present) find_touches(wall, w, centre, p.radius, touches);
+      if (wall.present) find_touches(wall, w, centre, p.radius + adhesion_range_, touches);
     }
     if (touches.size() > 1) resolve_touches(touches, p.radius);
     alarms.too_many += touches.overflowed() ? 1 : 0;
@@ -196,6 +199,7 @@ void WallContacts::find_contacts(std::span<const Wall> walls, const Particles& p
       const WallTouch& touch = touches[t];
       if (touch.superseded_by >= 0) continue;
       const WallContact* old = ancestor(before, walls, touches, t);
+      if (old == nullptr && touch.distance >= p.radius) continue;  // only what has touched can be held
       contacts_.push_back({candidate.particle, touch.wall, touch.feature, touch.normal, touch.distance,
                            p.radius - touch.distance, old != nullptr ? old->history : ContactHistory{}});
     }
@@ -233,6 +237,7 @@ WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls
 
 std::vector<WallContact> WallContacts::contacts(std::span<const Wall> walls, const Particles& particles) const {
   std::vector<WallContact> all = contacts_;
+  std::erase_if(all, [](const WallContact& c) { return !(c.overlap > 0.0) && is_blank(c.history); });
   TouchBuffer touches;
   for (const FaceGroup& group : faces_) {
     const Wall& wall = walls[static_cast<std::size_t>(group.wall)];
@@ -241,7 +246,8 @@ std::vector<WallContact> WallContacts::contacts(std::span<const Wall> walls, con
       const ParticleRecord& p = particles.record[static_cast<std::size_t>(particle)];
       if (is_parked(p)) return;
       touches.clear();
-      if (find_touches(wall, group.wall, p.position, p.radius, touches) == 0) return;
+      const double touching = is_blank(history) ? p.radius : p.radius + adhesion_range_;
+      if (find_touches(wall, group.wall, p.position, touching, touches) == 0) return;
       const WallTouch& t = touches[0];
       all.push_back({particle, t.wall, t.feature, t.normal, t.distance, p.radius - t.distance, history});
     });

@@ -63,6 +63,7 @@ class WallContacts {
   const WallContact* ancestor(std::span<const WallContact> before, std::span<const Wall> walls,
                               const TouchBuffer& touches, int touch) const;
 
+  double adhesion_range_ = 0.0;  ///< m, as in SkinRule
   std::vector<Candidate> candidates_;
   std::vector<std::int32_t> candidate_walls_;
   std::vector<FaceGroup> faces_;                                 ///< what select_near chose of them

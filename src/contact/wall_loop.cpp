@@ -14,6 +14,12 @@ struct LaneWalls {
   alignas(64) double normal[3][block_lanes], distance[block_lanes];
 };
 
+/// A distance in m at which a particle of `radius` m has no contact, also not one that adhesion would hold.
+template <class Real>
+[[gnu::always_inline]] inline Real untouched(const Real& radius) {
+  return 2.0 * radius;
+}
+
 /// Lanes without a contact repeat the first particle, at a distance at which it does not touch.
 [[gnu::always_inline]] inline void gather_contacts(std::span<const WallContact> contacts,
                                                    std::span<const std::int32_t> chosen, const ParticleRecord* records,
@@ -25,7 +31,7 @@ struct LaneWalls {
     walls.normal[0][k] = contact.normal.x;
     walls.normal[1][k] = contact.normal.y;
     walls.normal[2][k] = contact.normal.z;
-    walls.distance[k] = k < used ? contact.distance : records[contact.particle].radius;
+    walls.distance[k] = k < used ? contact.distance : untouched(records[contact.particle].radius);
     set_history(block, static_cast<std::size_t>(k), contact.history);
   }
 }
@@ -45,7 +51,7 @@ template <Lanes Real, bool may_move, class FaceShape>
     const LaneInt<Real> lane = lane_numbers<Real>() + k;
     const LaneInt<Real> here = (lane < lanes) & (p.position.x < broadcast<Real>(parking_distance));
     store(at.normal, walls.normal, k);
-    store(select(here, at.distance, p.radius), walls.distance + k);
+    store(select(here, at.distance, untouched(p.radius)), walls.distance + k);
   }
 }
 

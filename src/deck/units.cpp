@@ -31,7 +31,7 @@ constexpr Symbol per_second[] = {{"1/s", 0}, {"1/ms", 3}};
 
 constexpr Symbol hertz[] = {{"Hz", 0}, {"kHz", 3}};
 constexpr Symbol angular_speed[] = {{"rad/s", 0}, {"deg/s", 0, pi / 180.0}, {"rpm", 0, pi / 30.0}};
-constexpr Symbol stiffness[] = {{"N/m", 0}, {"kN/m", 3}, {"N/mm", 3}, {"mN/m", -3}};
+constexpr Symbol stiffness[] = {{"N/m", 0}, {"kN/m", 3}, {"N/mm", 3}, {"mN/m", -3}, {"J/m2", 0}, {"mJ/m2", -3}};
 constexpr Symbol kelvin[] = {{"K", 0}, {"mK", -3}};
 constexpr Symbol watt[] = {{"W", 0}, {"mW", -3}};
 constexpr Symbol ohm[] = {{"ohm", 0}};

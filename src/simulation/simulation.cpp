@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "contact/adhesion_range.h"
 #include "domain/migration.h"
 #include "integration/velocity_verlet.h"
 #include "simulation/contact_alarm.h"
@@ -43,11 +44,13 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   const SmallestRadii radii = smallest_radii(insertion, materials_.size());
   time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now));
   check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
-  safe_step_ = longest_way / std::sqrt(3.0) * *std::min_element(radii.of_material.begin(), radii.of_material.end());
-  const double longest = longest_skin(particles_.periodic, insertion.largest_radius());
+  const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
+  const double adhesion_range = longest_pull_off_distance(materials_, smallest, insertion.largest_radius());
+  safe_step_ = longest_way / std::sqrt(3.0) * smallest;
+  const double longest = longest_skin(particles_.periodic, insertion.largest_radius() + adhesion_range);
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
-  watch_ = SkinWatch({deck_.neighbours.inner_skin, horizon(inner_horizon_steps), 0.5 * longest},
-                     {deck_.neighbours.skin, horizon(outer_horizon_steps), longest});
+  watch_ = SkinWatch({deck_.neighbours.inner_skin, horizon(inner_horizon_steps), 0.5 * longest, adhesion_range},
+                     {deck_.neighbours.skin, horizon(outer_horizon_steps), longest, adhesion_range});
   scene_.set_wall_skins(deck_, watch_.inner().horizon, watch_.outer().horizon);
   planned_ = insertion.planned;
   mass_unit_ = MassUnit(planned_mass(insertion, materials_));

@@ -19,7 +19,7 @@ Deck small_bed() {
       {"particles.0.mass=0.06 g", "particles.0.height=10 mm", "domain.min=[-0.004, -0.004, -0.003]", "time.step=4e-6",
        "wall.plate.present=false", "wall.vessel.points=[[0.002,0.04],[0.002,0],[0.00125,0]]", "wall.lid.radius=0.00125",
        "particles.0.radius=0.002", "particles.0.spacing=0.0006"});
-  return with_all_options(deck);
+  return deck;
 }
 
 std::vector<std::string> hashes(const Communicator& comm, const Deck& deck, VectorLevel level = best_vector_level()) {
@@ -35,10 +35,9 @@ std::vector<std::string> hashes(const Communicator& comm, const Deck& deck, Vect
   return all;
 }
 
-TEST(ContactOptions, SameBitsOnAllRanksAsOnOne) {
+void expect_same_bits_as_on_one(const Deck& deck) {
   const Communicator world(MPI_COMM_WORLD);
   const Communicator self(MPI_COMM_SELF);
-  const Deck deck = small_bed();
   const std::vector<std::string> together = hashes(world, deck);
   if (world.is_root()) {
     EXPECT_EQ(together, hashes(self, deck));
@@ -46,9 +45,27 @@ TEST(ContactOptions, SameBitsOnAllRanksAsOnOne) {
   world.barrier();
 }
 
+TEST(ContactOptions, SameBitsOnAllRanksAsOnOne) { expect_same_bits_as_on_one(with_all_options(small_bed())); }
+
+TEST(ContactModels, SameBitsOnAllRanksAsOnOne) {
+  for (const Deck& deck : {with_cohesive_models(small_bed()), with_adhesion(small_bed())}) {
+    expect_same_bits_as_on_one(deck);
+  }
+}
+
+TEST(ContactModels, SameBitsWhateverTheListsAndTheLevel) {
+  const Communicator world(MPI_COMM_WORLD);
+  for (Deck deck : {with_cohesive_models(small_bed()), with_adhesion(small_bed())}) {
+    const std::vector<std::string> usual = hashes(world, deck);
+    deck.neighbours.skin = 1.0;
+    deck.neighbours.inner_skin = 0.2;
+    EXPECT_EQ(usual, hashes(world, deck, VectorLevel::sse2));
+  }
+}
+
 TEST(ContactOptions, SameBitsWhateverTheListsAndTheLevel) {
   const Communicator world(MPI_COMM_WORLD);
-  Deck deck = small_bed();
+  Deck deck = with_all_options(small_bed());
   const std::vector<std::string> usual = hashes(world, deck);
   deck.neighbours.skin = 1.0;
   deck.neighbours.inner_skin = 0.2;

@@ -40,7 +40,7 @@ ContactForces contact_law_of(const PairParameters& pair, const ContactGeometry& 
   const double radius = Law::contact_radius(pair, contact);
   const ContactStiffness k = Law::stiffness(pair, contact, radius);
   const double f_n = Law::normal_force(pair, k, contact, radius);
-  const double pressing = Law::pressing_force(pair, contact, f_n);
+  const double pressing = Law::pressing_force(pair, k, contact, f_n);
   const Vec3 spring = Law::spring(pair, contact, dt, history.spring);
   const Vec3 moment = Law::moment(pair, k, contact, dt, history.rolling);
   const BasicSlidingLimit<double> limit = Law::sliding(pair, k, contact, pressing, norm(spring));

@@ -28,6 +28,26 @@ inline std::vector<Deck> decks_of_all_options(const Deck& deck) {
   return decks;
 }
 
+/// `deck` with cohesion by areas, EPSD and friction without history.
+inline Deck with_cohesive_models(Deck deck) {
+  deck.contact.cohesion = Cohesion::sjkr;
+  deck.contact.rolling_model = RollingModel::epsd;
+  deck.contact.tangential_spring = TangentialSpring::none;
+  for (PairDeck& pair : deck.pairs) {
+    pair.cohesion_energy_density = 1e5;
+    pair.rolling_viscous_damping = 0.3;
+  }
+  return deck;
+}
+
+/// `deck` with JKR adhesion and CDT.
+inline Deck with_adhesion(Deck deck) {
+  deck.contact.normal_law = NormalLaw::jkr;
+  deck.contact.rolling_model = RollingModel::cdt;
+  for (PairDeck& pair : deck.pairs) pair.work_of_adhesion = 0.005;
+  return deck;
+}
+
 /// `deck` with each contact model that is none of those options, alone and with others.
 inline std::vector<Deck> decks_of_all_models(const Deck& deck) {
   std::vector<Deck> decks;

@@ -9,13 +9,14 @@
 namespace repose {
 
 /// Each particle has a skin of its own: a share of its radius and the way it makes within `horizon` at its present
-/// speed. A list of the pairs closer than the sum of their reaches (radius + skin) holds every contact until some
-/// particle has moved by more than its own skin. So a few fast grains make neither the lists of the others long nor
-/// rebuilds frequent.
+/// speed. A list of the pairs closer than the sum of their reaches (radius, adhesion range and skin) holds every
+/// contact until some particle has moved by more than its own skin. So a few fast grains make neither the lists of the
+/// others long nor rebuilds frequent.
 struct SkinRule {
   double share;                                              ///< of the radius
   double horizon;                                            ///< s
   double longest = std::numeric_limits<double>::infinity();  ///< m
+  double adhesion_range = 0.0;  ///< m, how far apart surfaces that have touched may hold together; added to reaches
 };
 
 /// Where a particle was when a list was made, and the square of its skin then.
@@ -28,7 +29,7 @@ inline double skin_of(const ParticleRecord& particle, const SkinRule& rule) {
   return std::min(rule.share * particle.radius + rule.horizon * norm(particle.velocity), rule.longest);
 }
 inline double reach_of(const ParticleRecord& particle, const SkinRule& rule) {
-  return particle.radius + skin_of(particle, rule);
+  return particle.radius + rule.adhesion_range + skin_of(particle, rule);
 }
 
 }  // namespace repose

@@ -62,13 +62,24 @@ struct SeenFromWall {
   Vector3<Real> spin;
 };
 
+/// m/s: the speed of `belt` along its projection on the plane of the unit vector `n`; 0 where it is along n.
+template <Lanes Real>
+[[gnu::always_inline]] inline Vector3<Real> belt_velocity(const Vec3& belt, const Vector3<Real>& n) {
+  const Vector3<Real> along = without_normal_part(broadcast<Real>(belt), n);
+  const Real length = square_root(squared_norm(along));
+  const double speed = norm(belt);
+  return select(length > broadcast<Real>(1e-9 * speed), speed / length, Real{}) * along;
+}
+
 template <Lanes Real, bool may_move>
 [[gnu::always_inline]] inline SeenFromWall<Real> see_from(const SurfaceMotion* surface, const LaneParticle<Real>& p,
                                                           const Real& distance, const Vector3<Real>& n) {
   if (!may_move || surface == nullptr) return {p.velocity, p.spin};
   const auto turning = broadcast<Real>(surface->angular_velocity);
   const Vector3<Real> touched = p.position - distance * n;
-  return {p.velocity - (broadcast<Real>(surface->velocity) + cross(turning, touched)), p.spin - turning};
+  Vector3<Real> wall_velocity = broadcast<Real>(surface->velocity) + cross(turning, touched);
+  if (surface->belt != Vec3{}) wall_velocity += belt_velocity(surface->belt, n);
+  return {p.velocity - wall_velocity, p.spin - turning};
 }
 
 /// Returns the number of contacts deeper than the bound.

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "deck/check_deck.h"
-#include "deck/nearest.h"
 #include "deck/key.h"
+#include "deck/nearest.h"
 
 namespace repose {
 namespace {
@@ -37,6 +37,8 @@ bool suits(const MotionDeck& motion, Axis periodic) {
     case MotionType::rotation:
       axis.*component(periodic) = 1.0;
       return cross(motion.axis_direction, axis) == Vec3{};
+    case MotionType::conveyor:
+      return true;
   }
   return false;
 }
@@ -77,6 +79,10 @@ void check_motions(const Deck& deck, DeckErrors& errors) {
     const ParticlesDeck& block = deck.particles[i];
     const std::string section = fmt::format("particles.{}", i);
     check_motion_list(section, block.motions, deck, errors);
+    for (std::size_t k = 0; k < block.motions.size(); ++k) {
+      if (block.motions[k].type != MotionType::conveyor) continue;
+      errors.add(fmt::format("{}.motion.{}.type", section, k), "only walls can be a conveyor; particles can move");
+    }
     if (!block.motions.empty() && !deck.domain.periodic.empty()) {
       errors.add(section, "[[particles.motion]] needs a [domain] without periodic directions");
     }

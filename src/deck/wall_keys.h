@@ -11,15 +11,15 @@
 /// Walls and motions.
 namespace repose {
 
-enum class MotionType { translation, oscillation, rotation };
+enum class MotionType { translation, oscillation, rotation, conveyor };
 constexpr auto enumerators(MotionType) {
-  return std::array<std::string_view, 3>{"translation", "oscillation", "rotation"};
+  return std::array<std::string_view, 4>{"translation", "oscillation", "rotation", "conveyor"};
 }
 
 /// A prescribed motion of a wall or of a block of particles. It advances during its phases only.
 struct MotionDeck {
   MotionType type = MotionType::translation;
-  Vec3 velocity;                       ///< translation
+  Vec3 velocity;                       ///< translation, conveyor
   Vec3 amplitude;                      ///< oscillation: displacement amplitude x sin(2 pi frequency t)
   double frequency = unset;            ///< oscillation
   Vec3 axis_origin;                    ///< rotation
@@ -30,11 +30,13 @@ struct MotionDeck {
 
 template <class V>
 void describe(V& v, MotionDeck& m) {
-  v("type", m.type, Unit::none, any_value, required, "translation, oscillation or rotation");
-  const bool is_translation = m.type == MotionType::translation;
+  v("type", m.type, Unit::none, any_value, required,
+    "translation, oscillation, rotation; conveyor: the surface runs along itself and the wall stays");
+  const bool has_velocity = m.type == MotionType::translation || m.type == MotionType::conveyor;
   const bool is_oscillation = m.type == MotionType::oscillation;
   const bool is_rotation = m.type == MotionType::rotation;
-  v("velocity", m.velocity, Unit::speed, any_value, required.when(is_translation, "type = translation"), "velocity");
+  v("velocity", m.velocity, Unit::speed, any_value, required.when(has_velocity, "type = translation, conveyor"),
+    "velocity; of a conveyor, each face runs at this speed along the velocity's projection on it");
   v("amplitude", m.amplitude, Unit::metre, any_value, required.when(is_oscillation, "type = oscillation"),
     "displacement = amplitude x sin(2 pi frequency t)");
   v("frequency", m.frequency, Unit::hertz, above(0), required.when(is_oscillation, "type = oscillation"),

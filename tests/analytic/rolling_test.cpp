@@ -72,5 +72,63 @@ TEST(Rolling, RollsDownASlopeAboveTheRollingFriction) {
   EXPECT_NEAR((u2 - u1) / 0.1, acceleration, 0.01 * acceleration);
 }
 
+/// Two triangles in the plane z = 0.
+const char* const belt_stl = R"(solid belt
+facet normal 0 0 1
+outer loop
+vertex -0.01 -0.01 0
+vertex 0.02 -0.01 0
+vertex 0.02 0.01 0
+endloop
+endfacet
+facet normal 0 0 1
+outer loop
+vertex -0.01 -0.01 0
+vertex 0.02 0.01 0
+vertex -0.01 0.01 0
+endloop
+endfacet
+endsolid belt
+)";
+
+/// A grain laid on a floor whose surface runs; 2/7 of its speed is where sliding ends: m v = mu m g t, I w = mu m g R
+/// t, v + w R = V.
+TEST(Conveyor, TakesALaidBallToTwoSeventhsOfItsSpeed) {
+  Coefficients c;
+  c.sliding_pw = 0.3;
+  c.rolling_pw = 0.0;
+  const double speed = 0.05;
+  for (const bool is_mesh : {false, true}) {
+    SCOPED_TRACE(is_mesh);
+    Deck deck = bare_deck(c, 1e-6);
+    deck.gravity = {0.0, 0.0, -g};
+    WallDeck belt = floor_at(0.0);
+    if (is_mesh) {
+      belt.type = WallType::mesh;
+      belt.file = "belt.stl";
+    }
+    MotionDeck motion;
+    motion.type = MotionType::conveyor;
+    motion.velocity = {0.6 * speed, 0.0, 0.8 * speed};
+    motion.phases = {"runs"};
+    belt.motions.push_back(motion);
+    deck.walls.push_back(belt);
+    Scene scene(deck, {{{0.0, 0.0, radius}, {}, {}, radius}}, best_vector_level(), {{"belt.stl", belt_stl}});
+    EXPECT_FALSE(scene.simulation().walls()[0].travels);
+    scene.simulation().begin_phase("rests");
+    scene.run(5000);
+    EXPECT_EQ(scene.grains()[0].velocity.x, 0.0);
+    scene.simulation().begin_phase("runs");
+    scene.run(20000);
+    const Grain ball = scene.grains()[0];
+    EXPECT_NEAR(ball.velocity.x, 2.0 / 7.0 * speed, 1e-3 * speed);  // the speed along the belt, not its x
+    EXPECT_NEAR(ball.velocity.x + radius * -ball.spin.y, speed, 1e-3 * speed);
+    EXPECT_NEAR(ball.position.z, radius, 0.01 * radius);
+    scene.simulation().begin_phase("rests");
+    scene.run(20000);
+    EXPECT_NEAR(scene.grains()[0].velocity.x, 0.0, 1e-3 * speed);  // as it has taken its spin, it gives it back
+  }
+}
+
 }  // namespace
 }  // namespace repose::test

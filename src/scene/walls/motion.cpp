@@ -23,6 +23,9 @@ Placement placement_of(const MotionDeck& motion, double time, bool runs) {
       if (runs) placement.motion.velocity = (omega * cosine) * motion.amplitude;
       break;
     }
+    case MotionType::conveyor:
+      if (runs) placement.motion.belt = motion.velocity;
+      break;
     case MotionType::rotation: {
       const Vec3 axis = unit_vector(motion.axis_direction);
       const auto [sine, cosine] = sin_cos_reproducible(motion.angular_velocity * time);
@@ -59,6 +62,7 @@ Placement carried(const Placement& outer, const Placement& inner) {
   // The inner motion's velocity at x, which the outer one has brought there, is that of the point where it was.
   const Vec3 turning = outer.turn(inner.motion.angular_velocity);
   both.motion.angular_velocity = outer.motion.angular_velocity + turning;
+  both.motion.belt = outer.motion.belt + outer.turn(inner.motion.belt);
   both.motion.velocity = outer.motion.velocity + outer.turn(inner.motion.velocity) - cross(turning, outer.shift);
   return both;
 }
@@ -90,6 +94,7 @@ double greatest_speed(const std::vector<MotionDeck>& motions, const DomainDeck& 
   for (const MotionDeck& m : motions) {
     switch (m.type) {
       case MotionType::translation:
+      case MotionType::conveyor:
         speed += norm(m.velocity);
         break;
       case MotionType::oscillation:

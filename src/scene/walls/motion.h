@@ -11,10 +11,12 @@
 
 namespace repose {
 
-/// How the surface of a rigid body moves: the velocity of its point at x is velocity + angular_velocity cross x.
+/// How the surface of a rigid body moves: the velocity of its point at x is velocity + angular_velocity cross x, and
+/// that of the belt which runs along it.
 struct SurfaceMotion {
   Vec3 velocity;          ///< m/s, of the point at the origin of coordinates
   Vec3 angular_velocity;  ///< rad/s
+  Vec3 belt;              ///< m/s, of all conveyors together
 
   Vec3 at(const Vec3& x) const { return velocity + cross(angular_velocity, x); }
 };

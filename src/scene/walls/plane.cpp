@@ -37,6 +37,8 @@ bool keeps(const Plane& plane, const MotionDeck& motion) {
       return dot(motion.amplitude, plane.normal) == 0.0;
     case MotionType::rotation:
       return cross(motion.axis_direction, plane.normal) == Vec3{};
+    case MotionType::conveyor:
+      return true;
   }
   return false;
 }

@@ -27,6 +27,7 @@ WallShape made(const WallDeck& deck, const ReadFile& read_file, const std::varia
 
 bool is_moved(const Wall& wall) {
   const auto moves_shape = [&](const MotionDeck& motion) {
+    if (motion.type == MotionType::conveyor) return false;
     return std::visit([&](const auto& shape) { return !keeps(shape, motion); }, wall.shape);
   };
   return std::any_of(wall.motions.motions().begin(), wall.motions.motions().end(), moves_shape);

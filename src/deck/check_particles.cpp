@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "deck/check_deck.h"
+#include "deck/nearest.h"
 
 namespace repose {
 namespace {
@@ -14,6 +15,34 @@ DomainDeck bounds(const ParticlesDeck& p) {
   if (p.region == RegionShape::disc) return {p.centre, p.centre};
   const double r = std::max(p.radius, p.radius_top);
   return {{p.centre.x - r, p.centre.y - r, p.centre.z}, {p.centre.x + r, p.centre.y + r, p.centre.z + p.height}};
+}
+
+/// The outline of a face is known when its file has been read.
+void check_face(const std::string& section, const ParticlesDeck& p, const Deck& deck, DeckErrors& errors) {
+  std::vector<std::string> names;
+  for (const WallDeck& wall : deck.walls) names.push_back(wall.name);
+  const auto found = std::find(names.begin(), names.end(), p.face);
+  if (found == names.end()) {
+    errors.add(section + ".face",
+               fmt::format(
+                   "unknown wall \"{}\"; {}", p.face,
+                   names.empty() ? "the deck has none" : fmt::format("the nearest is \"{}\"", nearest(p.face, names))));
+    return;
+  }
+  const WallDeck& wall = deck.walls[static_cast<std::size_t>(found - names.begin())];
+  if (wall.type != WallType::mesh && wall.type != WallType::rectangle) {
+    errors.add(section + ".face", fmt::format("wall \"{}\" is neither a mesh nor a rectangle", p.face));
+  }
+  if (wall.present || !wall.motions.empty()) {
+    errors.add(section + ".face",
+               fmt::format("wall \"{}\" would stand in the way; give it present = false and no motion", p.face));
+  }
+  for (const PhaseDeck& phase : deck.phases) {
+    if (std::find(phase.add_walls.begin(), phase.add_walls.end(), p.face) == phase.add_walls.end()) continue;
+    errors.add(section + ".face", fmt::format("phase \"{}\" adds wall \"{}\", through which particles enter; take it "
+                                              "out of add_walls",
+                                              phase.name, p.face));
+  }
 }
 
 /// Exactly one of two keys.
@@ -113,7 +142,14 @@ void check_particles(const Deck& deck, DeckErrors& errors) {
     } else {
       check_measured(section, p, errors);
     }
-    if (p.counts.empty()) check_region(section, p, deck.domain, errors);
+    if (!p.counts.empty()) continue;
+    if (p.region != RegionShape::face) {
+      check_region(section, p, deck.domain, errors);
+    } else if (p.type == ParticlesType::pour) {
+      check_face(section, p, deck, errors);
+    } else {
+      errors.add(section + ".region", "a face has no volume to fill; only type = \"pour\" can use it");
+    }
   }
 }
 

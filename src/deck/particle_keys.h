@@ -68,12 +68,12 @@ void describe(V& v, SizesDeck& s) {
 }
 
 enum class ParticlesType { fill, lattice, csv, snapshot, pour };
-enum class RegionShape { cylinder, box, disc };
+enum class RegionShape { cylinder, box, disc, face };
 enum class LatticeType { simple_cubic, body_centred, face_centred };
 constexpr auto enumerators(ParticlesType) {
   return std::array<std::string_view, 5>{"fill", "lattice", "csv", "snapshot", "pour"};
 }
-constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 3>{"cylinder", "box", "disc"}; }
+constexpr auto enumerators(RegionShape) { return std::array<std::string_view, 4>{"cylinder", "box", "disc", "face"}; }
 constexpr auto enumerators(LatticeType) {
   return std::array<std::string_view, 3>{"simple_cubic", "body_centred", "face_centred"};
 }
@@ -90,7 +90,7 @@ struct ParticlesDeck {
   SizesDeck sizes;                                  ///< fill, pour; or diameter
   double mass = unset;                              ///< fill, pour: total mass; or count
   std::int64_t count = 0;                           ///< fill, pour: number of particles; or mass
-  RegionShape region = RegionShape::cylinder;       ///< fill, lattice, pour; disc: pour
+  RegionShape region = RegionShape::cylinder;       ///< fill, lattice, pour; disc, face: pour
   Vec3 centre;                                      ///< cylinder: of the bottom, the axis is vertical (z); disc
   double radius = unset;                            ///< cylinder: at the bottom; disc
   double radius_top = unset;                        ///< cylinder: at the top (a cone frustum); default: radius
@@ -98,6 +98,7 @@ struct ParticlesDeck {
   Vec3 min;                                         ///< box
   Vec3 max;                                         ///< box
   Vec3 normal{0.0, 0.0, 1.0};                       ///< disc
+  std::string face;                                 ///< face: name of a wall that is never present
   double spacing = unset;                           ///< fill, lattice: lattice constant; fill: default 1.1 diameters
   double jitter = 1.0;                              ///< fill: share of the free gap that a particle may be moved by
   LatticeType lattice = LatticeType::simple_cubic;  ///< lattice
@@ -121,7 +122,7 @@ void describe_region(V& v, ParticlesDeck& p) {
   const bool has_region = is_made && !by_counts;
   v("region", p.region, Unit::none, any_value,
     required.when(has_region, "type = fill, pour, or lattice without counts"),
-    "shape of the region; a cylinder is upright (z); disc: pour only");
+    "shape of the region; a cylinder is upright (z); disc, face: pour only");
   const bool is_cylinder = has_region && p.region == RegionShape::cylinder;
   const bool is_box = has_region && p.region == RegionShape::box;
   const bool is_disc = has_region && p.region == RegionShape::disc;
@@ -135,6 +136,8 @@ void describe_region(V& v, ParticlesDeck& p) {
   v("min", p.min, Unit::metre, any_value, required.when(is_box, "region = box"), "lowest corner");
   v("max", p.max, Unit::metre, any_value, required.when(is_box, "region = box"), "highest corner");
   v("normal", p.normal, Unit::none, any_value, optional.when(is_disc, "region = disc"), "normal, of any length");
+  v("face", p.face, Unit::none, any_value, required.when(has_region && p.region == RegionShape::face, "region = face"),
+    "name of a flat mesh or rectangle among the walls, with present = false, through which they enter");
 }
 
 template <class V>

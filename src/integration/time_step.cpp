@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "base/math.h"
-#include "scene/insertion/region.h"
 #include "scene/particles/hooke_spring.h"
 #include "scene/particles/sphere_mass.h"
 #include "scene/walls/motion.h"
@@ -120,7 +119,7 @@ double hooke_time(double mass_eff, double stiffness, double tangential_ratio) {
   return pi * std::sqrt(mass_eff / (stiffness * std::max(1.0, 3.5 * tangential_ratio)));
 }
 
-double expected_speed(const Deck& deck, const NewParticles& particles) {
+double expected_speed(const Deck& deck, const NewParticles& particles, const std::vector<Pour>& pours) {
   if (!std::isnan(deck.time.expected_speed)) return deck.time.expected_speed;
   const double driven = driven_speed(deck);
   const Vec3 g = deck.gravity;
@@ -132,11 +131,10 @@ double expected_speed(const Deck& deck, const NewParticles& particles) {
                                           : dot(g, lowest - particles.position[i]);  // g times height
     greatest_square = std::max(greatest_square, squared_norm(particles.velocity[i]) + 2.0 * fall);
   }
-  for (const ParticlesDeck& pour : deck.particles) {
-    if (pour.type != ParticlesType::pour) continue;
-    const auto [bottom, top] = bounds(pour);
+  for (const Pour& pour : pours) {
+    const auto& [bottom, top] = pour.bounds;
     const Vec3 highest = {g.x > 0.0 ? bottom.x : top.x, g.y > 0.0 ? bottom.y : top.y, g.z > 0.0 ? bottom.z : top.z};
-    greatest_square = std::max(greatest_square, squared_norm(pour.velocity) + 2.0 * dot(g, lowest - highest));
+    greatest_square = std::max(greatest_square, squared_norm(pour.deck.velocity) + 2.0 * dot(g, lowest - highest));
   }
   return std::sqrt(greatest_square);
 }

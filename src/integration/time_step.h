@@ -24,7 +24,7 @@ double hooke_time(double mass_eff, double stiffness, double tangential_ratio);
 /// Speed in m/s that the deck expects at most: given, or the greatest that any particle can reach in free fall along
 /// gravity from where and as fast as it starts, or will be poured, to the far side of the domain, or that a wall or a
 /// particle on a prescribed path has.
-double expected_speed(const Deck& deck, const NewParticles& particles);
+double expected_speed(const Deck& deck, const NewParticles& particles, const std::vector<Pour>& pours);
 
 /// The time step and what limits it, all in s: by the shares of the Rayleigh time of the worst particle and of the
 /// Hertz time of the worst pair at the expected speed, or, with Hooke's law, of the Hooke time of the worst pair alone.

@@ -10,7 +10,7 @@ RunPlan::RunPlan(const Deck& deck, const ReadFile& read_file)
       walls(make_walls(deck, materials, read_file)),
       insertion(insert_particles_of(deck, walls, read_file)) {
   const SmallestRadii radii = smallest_radii(insertion, materials.size());
-  dt = choose_time_step(deck, materials, radii, expected_speed(deck, insertion.now));
+  dt = choose_time_step(deck, materials, radii, expected_speed(deck, insertion.now, insertion.pours));
   check_wall_speeds(deck, walls, materials, radii, dt.step);
 }
 

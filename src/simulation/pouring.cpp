@@ -20,7 +20,7 @@ constexpr double patience = 50.0;            // batches a particle may wait for
 /// The box that the spheres of a pour enter in.
 Box entrance(const Pour& pour) {
   const double r = *std::max_element(pour.radius.begin(), pour.radius.end());
-  const auto [min, max] = bounds(pour.deck);
+  const auto& [min, max] = pour.bounds;
   return {min - Vec3{r, r, r}, max + Vec3{r, r, r}};
 }
 
@@ -57,7 +57,7 @@ struct Pouring::Batch {
 
   std::optional<Vec3> place(const Flow& flow, std::int64_t k, std::uint32_t attempt) const {
     const auto number = static_cast<std::uint32_t>((now.step - flow.start) / flow.every);
-    return random_place(flow.pour.deck, flow.pour.radius[static_cast<std::size_t>(k)], now.seed, flow.pour.first_id + k,
+    return random_place(flow.pour, flow.pour.radius[static_cast<std::size_t>(k)], now.seed, flow.pour.first_id + k,
                         RandomStream::pour_position, 3 * (number * tries + attempt));
   }
 

@@ -42,7 +42,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   Insertion insertion = insert_particles_of(deck_, walls(), read_file);
   scene_.hold(deck_, insertion);
   const SmallestRadii radii = smallest_radii(insertion, materials_.size());
-  time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now));
+  time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now, insertion.pours));
   check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
   const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
   const double adhesion_range = longest_pull_off_distance(materials_, smallest, insertion.largest_radius());

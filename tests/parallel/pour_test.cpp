@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -82,6 +83,86 @@ TEST_F(PourTest, FallsFreelyFromTheDisc) {
     EXPECT_NEAR(p.position.z, -t - 0.5 * 9.81 * t * t, 1e-15);
     EXPECT_LE(std::hypot(p.position.x - 0.2 * t, p.position.y), 9e-3);
   }
+}
+
+/// An L of three squares of 10 mm in the plane z = 0, the inner corner at (10, 10) mm.
+std::string l_shaped_stl() {
+  std::string stl = "solid L\n";
+  for (const auto& [x, y] : {std::pair{0, 0}, std::pair{1, 0}, std::pair{0, 1}}) {
+    for (const auto& [dx, dy] : {std::pair{1, 0}, std::pair{0, 1}}) {
+      stl += fmt::format(
+          "facet normal 0 0 1\nouter loop\nvertex {0} {1} 0\nvertex {2} {3} 0\nvertex {4} {5} 0\n"
+          "endloop\nendfacet\n",
+          x, y, x + dx, y + dy, x + 1, y + 1);
+    }
+  }
+  return stl + "endsolid L\n";
+}
+
+Deck face_deck() {
+  Deck deck = pouring_deck();
+  deck.particles[0].region = RegionShape::face;
+  deck.particles[0].face = "inlet";
+  deck.particles[0].velocity = {0.0, 0.0, -1.0};
+  deck.particles[0].count = 400;
+  deck.particles[0].particle_rate = 5000.0;
+  WallDeck inlet = test::floor_at(0.0);
+  inlet.name = "inlet";
+  inlet.type = WallType::mesh;
+  inlet.file = "inlet.stl";
+  inlet.scale = 0.01;
+  inlet.present = false;
+  deck.walls = {inlet};
+  return deck;
+}
+
+TEST_F(PourTest, EntersThroughAFaceOfAnyOutline) {
+  const auto files = [](const std::string&) { return l_shaped_stl(); };
+  Simulation s(comm_, face_deck(), files, best_vector_level());
+  s.advance(9500);
+  EXPECT_EQ(s.inserted(), 400);
+  constexpr double r = 1e-3 * (1.0 - 1e-8);
+  std::int64_t far_square = 0;
+  for (std::size_t i = 0; i < s.particles().owned; ++i) {
+    const Vec3& p = s.particles().record[i].position;
+    EXPECT_GE(std::min(p.x, p.y), r);
+    EXPECT_LE(std::max(p.x, p.y), 0.02 - r);
+    const bool clear_of_the_inner_corner = p.x < 0.01 && p.y < 0.01 && std::hypot(0.01 - p.x, 0.01 - p.y) >= r;
+    EXPECT_TRUE(p.x <= 0.01 - r || p.y <= 0.01 - r || clear_of_the_inner_corner) << p.x << ' ' << p.y;
+    far_square += p.x > 0.01 ? 1 : 0;
+  }
+  // Centres have 9 x 8 of 18 x 8 + 8 x 10 + (1 - pi / 4) mm2 there; the binomial has a deviation of 9.3.
+  EXPECT_NEAR(static_cast<double>(comm_.sum(far_square)), 400.0 * 72.0 / 224.2, 5.0 * 9.3);
+  Deck deck = face_deck();
+  deck.neighbours.skin = 1.0;
+  Simulation other(comm_, deck, files, VectorLevel::sse2);
+  other.advance(9500);
+  EXPECT_EQ(hash(s), hash(other));
+  const Communicator self(MPI_COMM_SELF);
+  Simulation alone(self, face_deck(), files, best_vector_level());
+  alone.advance(9500);
+  EXPECT_EQ(hash(s), state_hash(self, alone.particles(), alone.pairs(), alone.wall_contacts()));
+}
+
+TEST_F(PourTest, RefusesAFaceThatIsNoneOrTooSmall) {
+  const auto files = [](const std::string&) { return l_shaped_stl(); };
+  const auto message = [&](const Deck& deck) -> std::string {
+    try {
+      Simulation(comm_, deck, files, best_vector_level());
+    } catch (const DeckError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  Deck deck = face_deck();
+  deck.particles[0].diameter = 12e-3;
+  EXPECT_NE(message(deck).find("does not fit into the region"), std::string::npos);
+  deck = face_deck();
+  deck.walls[0].type = WallType::plane;
+  EXPECT_NE(message(deck).find("must be a mesh or a rectangle"), std::string::npos);
+  deck = face_deck();
+  deck.particles[0].face = "outlet";
+  EXPECT_NE(message(deck).find("no wall is named \"outlet\""), std::string::npos);
 }
 
 TEST_F(PourTest, SameBitsHoweverTheListsAndRanksAre) {

@@ -137,11 +137,11 @@ NewParticles at(const std::vector<Vec3>& positions) {
 TEST(ExpectedSpeed, IsFreeFallToTheFarSideOfTheDomain) {
   Deck deck = two_materials();
   deck.gravity = {0.0, 0.0, -10.0};
-  EXPECT_NEAR(expected_speed(deck, at({{0.0, 0.0, -0.5}, {0.0, 0.0, 0.25}})), 5.0, 1e-14);  // sqrt(2 x 10 x 1.25)
+  EXPECT_NEAR(expected_speed(deck, at({{0.0, 0.0, -0.5}, {0.0, 0.0, 0.25}}), {}), 5.0, 1e-14);  // sqrt(2 x 10 x 1.25)
   deck.gravity = {10.0, 0.0, 0.0};
-  EXPECT_NEAR(expected_speed(deck, at({{-0.25, 0.0, 0.9}, {0.5, 0.0, 0.0}})), 5.0, 1e-14);
+  EXPECT_NEAR(expected_speed(deck, at({{-0.25, 0.0, 0.9}, {0.5, 0.0, 0.0}}), {}), 5.0, 1e-14);
   deck.gravity = {6.0, 8.0, 0.0};  // 6 x 0.5 + 8 x 1.25 = 13
-  EXPECT_NEAR(expected_speed(deck, at({{0.5, -0.25, 0.0}})), std::sqrt(26.0), 1e-14);
+  EXPECT_NEAR(expected_speed(deck, at({{0.5, -0.25, 0.0}}), {}), std::sqrt(26.0), 1e-14);
 }
 
 TEST(ExpectedSpeed, AddsTheInitialMotionOfEachParticle) {
@@ -149,17 +149,17 @@ TEST(ExpectedSpeed, AddsTheInitialMotionOfEachParticle) {
   deck.gravity = {0.0, 0.0, -10.0};
   NewParticles particles = at({{0.0, 0.0, 0.25}, {0.0, 0.0, -1.0}});
   particles.velocity[0] = {0.0, 12.0, 0.0};
-  EXPECT_NEAR(expected_speed(deck, particles), 13.0, 1e-14);
+  EXPECT_NEAR(expected_speed(deck, particles, {}), 13.0, 1e-14);
   particles.velocity = {{}, {0.0, 12.0, 0.0}};  // that one is at the floor already
-  EXPECT_NEAR(expected_speed(deck, particles), 12.0, 1e-14);
+  EXPECT_NEAR(expected_speed(deck, particles, {}), 12.0, 1e-14);
 }
 
 TEST(ExpectedSpeed, IsNeverNothingAndMayBeGiven) {
   Deck deck = two_materials();
   deck.gravity = {};
-  EXPECT_NEAR(expected_speed(deck, at({{0.0, 0.0, 0.0}})), 1e-3, 1e-18);
+  EXPECT_NEAR(expected_speed(deck, at({{0.0, 0.0, 0.0}}), {}), 1e-3, 1e-18);
   deck.time.expected_speed = 0.5;
-  EXPECT_EQ(expected_speed(deck, at({{0.0, 0.0, 0.0}})), 0.5);
+  EXPECT_EQ(expected_speed(deck, at({{0.0, 0.0, 0.0}}), {}), 0.5);
 }
 
 TEST(TimeStepExcess, IsTheStepOverTheTighterLimit) {

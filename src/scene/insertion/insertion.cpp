@@ -75,7 +75,7 @@ class Blocks {
 
   void pour(std::size_t block) {
     const std::string name = block_name(deck_, block);
-    Pour pour = plan_pour(deck_, block, name, radii_of(block, name), density_of(block, name));
+    Pour pour = plan_pour(deck_, block, name, walls_, radii_of(block, name), density_of(block, name));
     pour.first_id = result.planned;
     pour.material = material_index(deck_, pour.deck.material, name);
     result.planned += pour.size();

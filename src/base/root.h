@@ -18,7 +18,7 @@ template <Lanes Real>
   return reinterpret_cast<Real>((((high * share) >> 32) + bias) << 32);
 }
 
-/// The third or fifth root of `x`, which must be between 1e-60 and 1e60, within 4e-16 of it. By arithmetic alone, so
+/// The third or fifth root of `x`, which must be between 1e-60 and 1e60, within 5e-16 of it. By arithmetic alone, so
 /// that it has the same bits everywhere, for one number or for one in each lane: a start within 10 % by a share of the
 /// exponent, and Newton's method.
 template <int n, class Real>

@@ -11,16 +11,10 @@
 
 namespace repose {
 
-/// c in m^(1/2); 0 for a pair without adhesion.
-inline double jkr_adhesion(const PairParameters& pair) {
-  if (!(pair.coefficients.work_of_adhesion > 0.0)) return 0.0;
-  return std::sqrt(2.0 * pi * pair.coefficients.work_of_adhesion / pair.youngs_modulus_eff);
-}
-
 /// m: how far apart surfaces that have touched may be pulled, (1/4) (3/4)^(1/3) (c R_eff)^(4/3) / R_eff.
 template <class Real>
 [[gnu::always_inline]] inline Real jkr_pull_off_distance(const PairParameters& pair, const Real& radius_eff) {
-  const double c = jkr_adhesion(pair);
+  const double c = pair.jkr_adhesion;
   if (c == 0.0) return Real{};
   constexpr double quarter_root = 0.22714002740438;
   const Real root = odd_root<3>(c * radius_eff);
@@ -32,7 +26,7 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline Real jkr_contact_radius(const PairParameters& pair,
                                                       const BasicContactGeometry<Real>& contact) {
-  const double c = jkr_adhesion(pair);
+  const double c = pair.jkr_adhesion;
   if (c == 0.0) return contact_radius(contact);
   const Real root = odd_root<3>(c * contact.radius_eff);
   const Real depth = contact.overlap / (c * root);
@@ -51,14 +45,14 @@ template <class Real>
 [[gnu::always_inline]] inline Real jkr_force(const PairParameters& pair, const Real& radius_eff,
                                              const Real& contact_radius) {
   const Real s_3 = contact_radius * square_root(contact_radius);
-  return (4.0 / 3.0 * pair.youngs_modulus_eff) * (s_3 * (s_3 / radius_eff - 1.5 * jkr_adhesion(pair)));
+  return (4.0 / 3.0 * pair.youngs_modulus_eff) * (s_3 * (s_3 / radius_eff - 1.5 * pair.jkr_adhesion));
 }
 
 /// J: the work of F from s = 0 on, 4/3 E_eff (2/5 s^10 / R_eff^2 - c s^7 / R_eff + 3/8 c^2 s^4).
 inline double jkr_energy(const PairParameters& pair, double radius_eff, double contact_radius) {
   const double a_2 = contact_radius * contact_radius;
   const double h = a_2 * contact_radius * std::sqrt(contact_radius);  // s^7
-  const double c = jkr_adhesion(pair);
+  const double c = pair.jkr_adhesion;
   return 4.0 / 3.0 * pair.youngs_modulus_eff *
          (0.4 * h * contact_radius * std::sqrt(contact_radius) / (radius_eff * radius_eff) - c * h / radius_eff +
           0.375 * c * c * a_2);

@@ -67,8 +67,8 @@ template <Lanes Real>
 [[gnu::always_inline]] inline Vector3<Real> belt_velocity(const Vec3& belt, const Vector3<Real>& n) {
   const Vector3<Real> along = without_normal_part(broadcast<Real>(belt), n);
   const Real length = square_root(squared_norm(along));
-  const double speed = norm(belt);
-  return select(length > broadcast<Real>(1e-9 * speed), speed / length, Real{}) * along;
+  const Real speed = square_root(squared_norm(broadcast<Real>(belt)));
+  return select(length > 1e-9 * speed, speed / length, Real{}) * along;
 }
 
 template <Lanes Real, bool may_move>

@@ -88,7 +88,7 @@ TEST(Jkr, TheContactRadiusSolvesTheEquationOfTheOverlap) {
   const Deck deck = jkr_deck(1.0, 1e-8);
   const MaterialTable materials(deck);
   const PairParameters& pair = materials.pair(0, 0);
-  const double c = jkr_adhesion(pair);
+  const double c = pair.jkr_adhesion;
   ContactGeometry contact = {};
   for (const double radius : {1e-6, 1e-4, 1e-2}) {
     contact.radius_eff = radius;

@@ -170,14 +170,10 @@ TEST(Guards, ASumOfForcesThatComesNearItsRangeIsNamed) {
   int exponent = 0;  // of four times the greatest force
   std::frexp(4.0 * materials.greatest_force(0, radius, 0.3 * radius), &exponent);
   const double overlap = 0.05 * radius;
-  const ContactGeometry contact = {.normal = {},
-                                   .overlap = overlap,
-                                   .radius_eff = 0.5 * radius,
-                                   .mass_eff = sphere_mass(radius, c.density),
-                                   .normal_velocity = 0.0,
-                                   .tangential_velocity = {},
-                                   .rolling_velocity = {},
-                                   .velocity_normal = {}};
+  ContactGeometry contact = {};
+  contact.overlap = overlap;
+  contact.radius_eff = 0.5 * radius;
+  contact.mass_eff = sphere_mass(radius, c.density);
   const ContactStiffness k = hertz_stiffness(pair, contact, contact_radius(contact));
   const double speed = (0.85 * std::ldexp(1.0, exponent) - k.normal * overlap) / k.normal_damping;
   deck.time.expected_speed = speed;

@@ -37,6 +37,35 @@ TEST(ContactDeck, WithoutAttractionRestitutionHasALeastValue) {
   EXPECT_EQ(problem({"pair.0.restitution=0.04"}), "");
 }
 
+TEST(ContactDeck, HookeTakesItsStiffnessFromOnePlace) {
+  EXPECT_EQ(problem({"contact.normal_law=hooke", "contact.hooke_characteristic_velocity=2 m/s"}), "");
+  EXPECT_PRED2(
+      ends_with,
+      problem(
+          {"contact.normal_law=hooke", "contact.hooke_characteristic_velocity=2 m/s", "pair.0.hooke_stiffness=500"}),
+      "\"hooke_stiffness\" and contact.hooke_characteristic_velocity both say how stiff the pair is; remove one");
+}
+
+TEST(ContactDeck, RefusesCoefficientsThatNothingUses) {
+  EXPECT_PRED2(ends_with, problem({"pair.0.work_of_adhesion=50 mJ/m2"}),
+               "\"work_of_adhesion\" belongs to contact.normal_law = \"jkr\"; set that, or remove this");
+  EXPECT_EQ(problem({"pair.0.work_of_adhesion=50 mJ/m2", "contact.normal_law=jkr"}), "");
+  EXPECT_PRED2(ends_with, problem({"pair.0.cohesion_energy_density=300 kPa"}),
+               "\"cohesion_energy_density\" belongs to contact.cohesion; set that, or remove this");
+  EXPECT_EQ(problem({"pair.0.cohesion_energy_density=300 kPa", "contact.cohesion=sjkr2"}), "");
+  EXPECT_PRED2(ends_with, problem({"pair.0.rolling_viscous_damping=0.3"}),
+               "\"rolling_viscous_damping\" belongs to contact.rolling_model = \"epsd\"; set that, or remove this");
+}
+
+TEST(ContactDeck, RefusesWhatContradictsItself) {
+  EXPECT_NE(problem({"contact.normal_law=jkr", "contact.attraction=false"}).find("contradicts"), std::string::npos);
+  EXPECT_NE(problem({"contact.normal_law=jkr", "contact.cohesion=sjkr"}).find("adhesion of its own"),
+            std::string::npos);
+  EXPECT_NE(problem({"contact.cohesion_in_friction=true"}).find("needs contact.cohesion"), std::string::npos);
+  EXPECT_EQ(problem({"contact.attraction=false", "contact.restitution_correction=false", "pair.0.restitution=0.01"}),
+            "");
+}
+
 TEST(ContactDeck, DefaultsAreTheThesis) {
   const Deck deck = read_deck(example_deck, "deck.toml", {});
   EXPECT_EQ(deck.contact.normal_law, NormalLaw::hertz);

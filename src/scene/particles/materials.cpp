@@ -40,6 +40,7 @@ double tangential_damping_ratio(const Deck& deck, const PairDeck& pair, const Pa
 void set_options(const Deck& deck, const PairDeck& deck_pair, PairParameters& p) {
   p.options = deck.contact;
   p.coefficients = deck_pair;
+  p.jkr_adhesion = std::sqrt(2.0 * pi * deck_pair.work_of_adhesion / p.youngs_modulus_eff);
   p.synchronised = deck.time.integrator == Integrator::synchronised_verlet;
   if (deck.contact.tangential_damping == TangentialDamping::none) p.coefficients.hooke_tangential_damping_rate = 0.0;
   if (deck.contact.attraction || !deck.contact.restitution_correction || has_hooke_damping_rate(deck_pair)) return;

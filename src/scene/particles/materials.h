@@ -32,6 +32,7 @@ struct PairParameters : ContactParameters {
   ContactDeck options;            ///< of the deck, the same for all pairs
   bool synchronised = false;      ///< velocities belong to the normal of half a step ago
   PairCoefficients coefficients;  ///< of the deck; those of the thesis's law stand above as well
+  double jkr_adhesion = 0.0;      ///< c = sqrt(2 pi W / E_eff), m^(1/2) (contact/jkr.h)
 };
 
 /// Whether the contact law is that of the thesis, with none of the options.

@@ -82,7 +82,7 @@ template <class Law, Lanes Real>
     const Vector3<Real> spring = load<Real>(law.sliding_share + k) * load<Real>(law.spring, k);
     const Real rolling_share = load<Real>(law.rolling_share + k);
     const Vector3<Real> rolling = where(touching, rolling_share * load<Real>(law.moment, k));
-    store(Law::remembered(pair, where(touching, spring), touching), block.spring, k);
+    store(Law::remembered(pair, contact, where(touching, spring)), block.spring, k);
     store(rolling, block.rolling, k);
 
     const Vector3<Real> moment = Law::acting_moment(pair, stiffness, contact, rolling, rolling_share);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/capillary.h"
 #include "contact/cdt.h"
 #include "contact/epsd.h"
 #include "contact/hooke.h"
@@ -36,9 +37,15 @@ struct GeneralLaw {
                                              const Condition& remembers) {
     const Real overlap = select(gap > Real{}, gap, Real{});
     if (!adheres(pair)) return overlap;
-    const auto held = remembers & (gap >= -jkr_pull_off_distance(pair, radius_eff));
+    const auto held = remembers & (gap >= -holding_distance(pair, radius_eff));
     const Real pulled = select(gap == Real{}, broadcast<Real>(1e-300), gap);
     return select(held, pulled, overlap);
+  }
+  /// m: how far apart surfaces that have touched may be pulled.
+  template <class Real>
+  [[gnu::always_inline]] static Real holding_distance(const PairParameters& pair, const Real& radius_eff) {
+    if (pair.options.normal_law == NormalLaw::jkr) return jkr_pull_off_distance(pair, radius_eff);
+    return broadcast<Real>(pair.capillary.breaking_distance);
   }
   template <class Real>
   [[gnu::always_inline]] static auto touches(const BasicContactGeometry<Real>& contact) {
@@ -56,8 +63,10 @@ struct GeneralLaw {
 
   template <class Real>
   [[gnu::always_inline]] static Real contact_radius(const PairParameters& pair,
-                                                    const BasicContactGeometry<Real>& contact) {
-    if (pair.options.normal_law == NormalLaw::jkr) return jkr_contact_radius(pair, contact);
+                                                    const BasicContactGeometry<Real>& contact_in) {
+    if (pair.options.normal_law == NormalLaw::jkr) return jkr_contact_radius(pair, contact_in);
+    BasicContactGeometry<Real> contact = contact_in;
+    contact.overlap = select(contact.overlap < Real{}, Real{}, contact.overlap);  // a bridge presses on nothing
     return repose::contact_radius(contact);
   }
 
@@ -105,6 +114,7 @@ struct GeneralLaw {
                                                    const BasicContactGeometry<Real>& contact,
                                                    const Real& normal_force) {
     if (pair.options.cohesion == Cohesion::none) return normal_force;
+    if (pair.options.cohesion == Cohesion::capillary) return normal_force - capillary_pull(pair, contact);
     return normal_force - pair.coefficients.cohesion_energy_density * contact.cohesive_area;
   }
 
@@ -156,12 +166,16 @@ struct GeneralLaw {
   }
 
   /// The spring to remember: where surfaces adhere it is never all zero bits while they touch, which is how the next
-  /// step knows that they have touched.
-  template <class Real, class Condition>
-  [[gnu::always_inline]] static Vector3<Real> remembered(const PairParameters& pair, const Vector3<Real>& spring,
-                                                         const Condition& touching) {
+  /// step knows that they have touched. A liquid bridge holds no spring.
+  template <class Real>
+  [[gnu::always_inline]] static Vector3<Real> remembered(const PairParameters& pair,
+                                                         const BasicContactGeometry<Real>& contact,
+                                                         const Vector3<Real>& spring) {
     if (!adheres(pair)) return spring;
-    return {select(touching & (spring.x == Real{}), broadcast<Real>(-0.0), spring.x), spring.y, spring.z};
+    const bool is_jkr = pair.options.normal_law == NormalLaw::jkr;
+    const Real kept = select(is_jkr ? touches(contact) : contact.overlap > Real{}, broadcast<Real>(1.0), Real{});
+    const Vector3<Real> held = kept * spring;
+    return {select(touches(contact) & (held.x == Real{}), broadcast<Real>(-0.0), held.x), held.y, held.z};
   }
 
  private:

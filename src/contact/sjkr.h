@@ -13,7 +13,7 @@ namespace repose {
 template <class Real>
 [[gnu::always_inline]] inline Real cohesive_area_of_spheres(const PairParameters& pair, const Real& a, const Real& b,
                                                             const Real& distance, const Real& overlap) {
-  if (pair.options.cohesion == Cohesion::none) return Real{};
+  if (pair.options.cohesion == Cohesion::none || pair.options.cohesion == Cohesion::capillary) return Real{};
   if (pair.options.cohesion == Cohesion::sjkr2) return (4.0 * pi) * (a * b / (a + b)) * overlap;
   const Real product = overlap * (distance + a - b) * (distance - a + b) * (distance + a + b);
   return (0.25 * pi) * product / (distance * distance);
@@ -23,7 +23,7 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline Real cohesive_area_at_wall(const PairParameters& pair, const Real& radius,
                                                          const Real& distance, const Real& overlap) {
-  if (pair.options.cohesion == Cohesion::none) return Real{};
+  if (pair.options.cohesion == Cohesion::none || pair.options.cohesion == Cohesion::capillary) return Real{};
   if (pair.options.cohesion == Cohesion::sjkr2) return (2.0 * pi) * radius * overlap;
   return pi * overlap * (radius + distance);
 }

@@ -81,9 +81,9 @@ struct ThesisLaw {
                                                             const Vector3<Real>& moment, const Real&) {
     return moment;
   }
-  template <class Real, class Condition>
-  [[gnu::always_inline]] static Vector3<Real> remembered(const Parameters&, const Vector3<Real>& spring,
-                                                         const Condition&) {
+  template <class Real>
+  [[gnu::always_inline]] static Vector3<Real> remembered(const Parameters&, const BasicContactGeometry<Real>&,
+                                                         const Vector3<Real>& spring) {
     return spring;
   }
 };

@@ -63,8 +63,16 @@ void check_contact(const Deck& deck, DeckErrors& errors) {
     check_stiffness(section, pair, deck.contact, errors);
     check_used(section, "work_of_adhesion", pair.work_of_adhesion, deck.contact.normal_law == NormalLaw::jkr,
                "normal_law = \"jkr\"", errors);
+    const Cohesion cohesion = deck.contact.cohesion;
     check_used(section, "cohesion_energy_density", pair.cohesion_energy_density,
-               deck.contact.cohesion != Cohesion::none, "cohesion", errors);
+               cohesion == Cohesion::sjkr || cohesion == Cohesion::sjkr2, "cohesion = \"sjkr\" or \"sjkr2\"", errors);
+    const bool has_bridges = cohesion == Cohesion::capillary;
+    check_used(section, "surface_tension", pair.surface_tension, has_bridges, "cohesion = \"capillary\"", errors);
+    check_used(section, "contact_angle", pair.contact_angle, has_bridges, "cohesion = \"capillary\"", errors);
+    check_used(section, "bridge_volume", pair.bridge_volume, has_bridges, "cohesion = \"capillary\"", errors);
+    if (pair.bridge_volume > 0.0 && pair.bridge_volume < 1e-30) {
+      errors.add(section + ".bridge_volume", "\"bridge_volume\" is less than 1e-30 m3; give 0 for no bridge");
+    }
     check_used(section, "rolling_viscous_damping", pair.rolling_viscous_damping,
                deck.contact.rolling_model == RollingModel::epsd, "rolling_model = \"epsd\"", errors);
     if (!deck.contact.attraction && deck.contact.restitution_correction &&

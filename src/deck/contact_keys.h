@@ -36,6 +36,9 @@ struct PairCoefficients {
   double hooke_tangential_damping_rate = unset;  ///< the same: c_t / m_eff, 1/s
   double work_of_adhesion = 0.0;                 ///< [contact] normal_law = jkr: W, J/m2
   double cohesion_energy_density = 0.0;          ///< [contact] cohesion = sjkr, sjkr2: Pa
+  double surface_tension = 0.0;                  ///< [contact] cohesion = capillary: gamma, N/m
+  double contact_angle = 0.0;                    ///< the same: theta, degrees
+  double bridge_volume = 0.0;                    ///< the same: V, m3
   double rolling_viscous_damping = 0.0;          ///< [contact] rolling_model = epsd: eta
 };
 
@@ -66,6 +69,12 @@ void describe(V& v, PairDeck& p) {
     "work of adhesion of normal_law = jkr, in J/m2 = N/m");
   v("cohesion_energy_density", p.cohesion_energy_density, Unit::pascal, at_least(0), optional,
     "attraction per area of cohesion = sjkr, sjkr2");
+  v("surface_tension", p.surface_tension, Unit::stiffness, at_least(0), optional,
+    "of the liquid, for cohesion = capillary");
+  v("contact_angle", p.contact_angle, Unit::none, from_to(0, 90), optional,
+    "between liquid and solid in degrees, for cohesion = capillary");
+  v("bridge_volume", p.bridge_volume, Unit::volume, at_least(0), optional,
+    "of one liquid bridge, for cohesion = capillary");
   v("rolling_viscous_damping", p.rolling_viscous_damping, Unit::none, at_least(0), optional,
     "rolling dashpot of rolling_model = epsd, as a share of the critical damping");
 }
@@ -75,13 +84,13 @@ enum class TangentialSpring { projected, rotated, none };
 enum class TangentialDamping { stiffness, normal, none };
 enum class RollingModel { epsd2, epsd, cdt };
 enum class RollingHistory { fixed, rotated };
-enum class Cohesion { none, sjkr, sjkr2 };
+enum class Cohesion { none, sjkr, sjkr2, capillary };
 constexpr auto enumerators(NormalLaw) { return std::array<std::string_view, 3>{"hertz", "hooke", "jkr"}; }
 constexpr auto enumerators(TangentialSpring) { return std::array<std::string_view, 3>{"projected", "rotated", "none"}; }
 constexpr auto enumerators(TangentialDamping) { return std::array<std::string_view, 3>{"stiffness", "normal", "none"}; }
 constexpr auto enumerators(RollingModel) { return std::array<std::string_view, 3>{"epsd2", "epsd", "cdt"}; }
 constexpr auto enumerators(RollingHistory) { return std::array<std::string_view, 2>{"fixed", "rotated"}; }
-constexpr auto enumerators(Cohesion) { return std::array<std::string_view, 3>{"none", "sjkr", "sjkr2"}; }
+constexpr auto enumerators(Cohesion) { return std::array<std::string_view, 4>{"none", "sjkr", "sjkr2", "capillary"}; }
 
 /// The defaults are the contact law of the thesis.
 struct ContactDeck {
@@ -119,7 +128,9 @@ void describe(V& v, ContactDeck& c) {
   v("rolling_history", c.rolling_history, Unit::none, any_value, optional,
     "how the rolling moment follows the normal: not, or rotated with its length kept");
   v("cohesion", c.cohesion, Unit::none, any_value, optional,
-    "attraction beside the normal law: by the area in which the bodies cut (sjkr), or linear in the overlap (sjkr2)");
+    "attraction beside the normal law: by the area in which the bodies cut (sjkr), linear in the overlap (sjkr2), or "
+    "by "
+    "liquid bridges, which hold beyond contact");
   v("cohesion_in_friction", c.cohesion_in_friction, Unit::none, any_value, optional,
     "whether the normal force that limits sliding and rolling counts the cohesion");
 }

@@ -19,6 +19,8 @@ struct Symbol {
 };
 
 constexpr Symbol metre[] = {{"m", 0}, {"km", 3}, {"cm", -2}, {"mm", -3}, {"um", -6}, {"nm", -9}};
+constexpr Symbol volume[] = {{"m3", 0},  {"cm3", -6}, {"mm3", -9}, {"ml", -6},
+                             {"ul", -9}, {"nl", -12}, {"pl", -15}, {"um3", -18}};
 constexpr Symbol second[] = {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}};
 constexpr Symbol kilogram[] = {{"kg", 0}, {"t", 3}, {"g", -3}, {"mg", -6}, {"ug", -9}};
 constexpr Symbol pascal[] = {{"Pa", 0}, {"kPa", 3}, {"MPa", 6}, {"GPa", 9}};
@@ -55,6 +57,8 @@ Dimension dimension(Unit unit) {
       return {"a length", metre};
     case Unit::second:
       return {"a time", second};
+    case Unit::volume:
+      return {"a volume", volume};
     case Unit::kilogram:
       return {"a mass", kilogram};
     case Unit::pascal:

@@ -10,6 +10,7 @@ enum class Unit {
   none,
   metre,
   second,
+  volume,
   kilogram,
   pascal,
   density,

@@ -45,7 +45,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now, insertion.pours));
   check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
   const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
-  const double adhesion_range = longest_pull_off_distance(materials_, smallest, insertion.largest_radius());
+  const double adhesion_range = longest_holding_distance(materials_, smallest, insertion.largest_radius());
   safe_step_ = longest_way / std::sqrt(3.0) * smallest;
   const double longest = longest_skin(particles_.periodic, insertion.largest_radius() + adhesion_range);
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };

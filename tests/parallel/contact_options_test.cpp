@@ -48,14 +48,14 @@ void expect_same_bits_as_on_one(const Deck& deck) {
 TEST(ContactOptions, SameBitsOnAllRanksAsOnOne) { expect_same_bits_as_on_one(with_all_options(small_bed())); }
 
 TEST(ContactModels, SameBitsOnAllRanksAsOnOne) {
-  for (const Deck& deck : {with_cohesive_models(small_bed()), with_adhesion(small_bed())}) {
+  for (const Deck& deck : {with_cohesive_models(small_bed()), with_adhesion(small_bed()), with_bridges(small_bed())}) {
     expect_same_bits_as_on_one(deck);
   }
 }
 
 TEST(ContactModels, SameBitsWhateverTheListsAndTheLevel) {
   const Communicator world(MPI_COMM_WORLD);
-  for (Deck deck : {with_cohesive_models(small_bed()), with_adhesion(small_bed())}) {
+  for (Deck deck : {with_cohesive_models(small_bed()), with_adhesion(small_bed()), with_bridges(small_bed())}) {
     const std::vector<std::string> usual = hashes(world, deck);
     deck.neighbours.skin = 1.0;
     deck.neighbours.inner_skin = 0.2;

@@ -46,7 +46,7 @@ ContactForces contact_law_of(const PairParameters& pair, const ContactGeometry& 
   const BasicSlidingLimit<double> limit = Law::sliding(pair, k, contact, pressing, norm(spring));
   const double rolling_share = rolling_limit(pair, contact, pressing, norm(moment));
   const Vec3 limited = limit.share * spring;
-  history.spring = Law::remembered(pair, limited, true);
+  history.spring = Law::remembered(pair, contact, limited);
   history.rolling = rolling_share * moment;
   const Vec3 f_t = Law::friction(pair, k, contact, limited, limit.damping);
   return {Law::with_cohesion(pair, contact, f_n) * contact.normal + f_t, cross(contact.normal, f_t),

@@ -48,6 +48,17 @@ inline Deck with_adhesion(Deck deck) {
   return deck;
 }
 
+/// `deck` with liquid bridges.
+inline Deck with_bridges(Deck deck) {
+  deck.contact.cohesion = Cohesion::capillary;
+  for (PairDeck& pair : deck.pairs) {
+    pair.surface_tension = 0.02;
+    pair.contact_angle = 30.0;
+    pair.bridge_volume = 1e-15;
+  }
+  return deck;
+}
+
 /// `deck` with each contact model that is none of those options, alone and with others.
 inline std::vector<Deck> decks_of_all_models(const Deck& deck) {
   std::vector<Deck> decks;
@@ -98,6 +109,7 @@ inline std::vector<Deck> decks_of_all_models(const Deck& deck) {
     set(pairs, &PairCoefficients::work_of_adhesion, 0.05);
     set(pairs, &PairCoefficients::rolling_viscous_damping, 0.3);
   });
+  decks.push_back(with_bridges(deck));
   return decks;
 }
 

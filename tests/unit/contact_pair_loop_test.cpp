@@ -74,7 +74,7 @@ TEST(PairLoopWithModels, IsTheContactLawBitForBitAtEveryLevel) {
     }
     all.push_back(scalar);
   }
-  EXPECT_EQ(all.size(), 14U);
+  EXPECT_EQ(all.size(), 15U);
 }
 
 TEST(PairLoopWithOptions, ReportsNan) {

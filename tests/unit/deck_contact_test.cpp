@@ -50,8 +50,9 @@ TEST(ContactDeck, RefusesCoefficientsThatNothingUses) {
   EXPECT_PRED2(ends_with, problem({"pair.0.work_of_adhesion=50 mJ/m2"}),
                "\"work_of_adhesion\" belongs to contact.normal_law = \"jkr\"; set that, or remove this");
   EXPECT_EQ(problem({"pair.0.work_of_adhesion=50 mJ/m2", "contact.normal_law=jkr"}), "");
-  EXPECT_PRED2(ends_with, problem({"pair.0.cohesion_energy_density=300 kPa"}),
-               "\"cohesion_energy_density\" belongs to contact.cohesion; set that, or remove this");
+  EXPECT_PRED2(
+      ends_with, problem({"pair.0.cohesion_energy_density=300 kPa"}),
+      "\"cohesion_energy_density\" belongs to contact.cohesion = \"sjkr\" or \"sjkr2\"; set that, or remove this");
   EXPECT_EQ(problem({"pair.0.cohesion_energy_density=300 kPa", "contact.cohesion=sjkr2"}), "");
   EXPECT_PRED2(ends_with, problem({"pair.0.rolling_viscous_damping=0.3"}),
                "\"rolling_viscous_damping\" belongs to contact.rolling_model = \"epsd\"; set that, or remove this");

@@ -20,7 +20,15 @@ double spring_force(const PairParameters& pair, double radius, double mass, doub
 /// N: what adhesion and cohesion can pull with at an overlap of `overlap` m.
 double greatest_pull(const PairParameters& pair, double radius, double overlap) {
   const double area = 4.0 * pi * radius * overlap;  // the larger of sjkr.h's
-  return 1.5 * pi * radius * pair.coefficients.work_of_adhesion + pair.coefficients.cohesion_energy_density * area;
+  return (1.5 * pi * pair.coefficients.work_of_adhesion + pair.capillary.force_per_radius) * radius +
+         pair.coefficients.cohesion_energy_density * area;
+}
+
+CapillaryBridge make_bridge(const PairCoefficients& pair) {
+  if (!(pair.surface_tension > 0.0) || !(pair.bridge_volume > 0.0)) return {};
+  const double angle = pair.contact_angle * (pi / 180.0);
+  const double distance = (1.0 + 0.5 * angle) * odd_root<3>(pair.bridge_volume);
+  return {4.0 * pi * pair.surface_tension * sin_cos_reproducible(angle).cosine, distance, 1.0 / distance};
 }
 
 /// c_t / c_n.
@@ -40,6 +48,7 @@ double tangential_damping_ratio(const Deck& deck, const PairDeck& pair, const Pa
 void set_options(const Deck& deck, const PairDeck& deck_pair, PairParameters& p) {
   p.options = deck.contact;
   p.coefficients = deck_pair;
+  if (deck.contact.cohesion == Cohesion::capillary) p.capillary = make_bridge(deck_pair);
   p.jkr_adhesion = std::sqrt(2.0 * pi * deck_pair.work_of_adhesion / p.youngs_modulus_eff);
   p.synchronised = deck.time.integrator == Integrator::synchronised_verlet;
   if (deck.contact.tangential_damping == TangentialDamping::none) p.coefficients.hooke_tangential_damping_rate = 0.0;

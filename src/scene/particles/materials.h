@@ -27,19 +27,29 @@ struct ContactParameters {
   double density_second = 0.0;            ///< kg/m3, unused at walls
 };
 
+/// A liquid bridge (contact/capillary.h).
+struct CapillaryBridge {
+  double force_per_radius = 0.0;            ///< N/m, 4 pi gamma cos(theta)
+  double breaking_distance = 0.0;           ///< m
+  double one_over_breaking_distance = 0.0;  ///< 1/m; 0 without a bridge
+};
+
 /// The same with what the options need.
 struct PairParameters : ContactParameters {
   ContactDeck options;            ///< of the deck, the same for all pairs
   bool synchronised = false;      ///< velocities belong to the normal of half a step ago
   PairCoefficients coefficients;  ///< of the deck; those of the thesis's law stand above as well
-  double jkr_adhesion = 0.0;      ///< c = sqrt(2 pi W / E_eff), m^(1/2) (contact/jkr.h)
+  CapillaryBridge capillary;
+  double jkr_adhesion = 0.0;  ///< c = sqrt(2 pi W / E_eff), m^(1/2) (contact/jkr.h)
 };
 
 /// Whether the contact law is that of the thesis, with none of the options.
 bool follows_thesis(const PairParameters& pair);
 
 /// Whether surfaces that have touched may hold together when they are apart.
-inline bool adheres(const PairParameters& pair) { return pair.options.normal_law == NormalLaw::jkr; }
+inline bool adheres(const PairParameters& pair) {
+  return pair.options.normal_law == NormalLaw::jkr || pair.options.cohesion == Cohesion::capillary;
+}
 
 /// The materials of a deck and the symmetric table of their pairs, by index. Behind the materials come their twins for
 /// particles that are held (fixed, or on a prescribed path): the same solid, in contacts of infinite mass.

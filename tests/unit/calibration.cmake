@@ -8,3 +8,6 @@ repose_test(calibration_estimate LABEL analytic SOURCES calibration_estimate_tes
 repose_test(calibration_coverage LABEL analytic
   SOURCES calibration_coverage_test.cpp calibration_adaptive_test.cpp
   LINK repose_calibration)
+repose_test(calibration_levels LABEL analytic
+  SOURCES calibration_level_coverage_test.cpp
+  LINK repose_calibration)

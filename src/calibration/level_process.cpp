@@ -82,7 +82,8 @@ void LevelProcess::factorise() {
   weights_ = covariance_.solve(values - all_terms * coefficients_);
   const Replicates& last = data_.back();
   const Index own = columns_ - (levels() > 1 ? rho_column_.back() : 0);
-  freedom_ = std::max(1.0, static_cast<double>(last.size() - own) + last.freedom_within);
+  // What a level adds has a variance of its own, of which the seeds within the points say nothing.
+  freedom_ = std::max(1.0, static_cast<double>(last.size() - own));
 }
 
 double LevelProcess::share(std::size_t added, std::size_t of) const {

@@ -22,6 +22,9 @@ void check(std::size_t runs, std::span<const ObservableData> observables) {
     if (o.values.size() != runs) {
       throw DeckError(fmt::format("observable \"{}\": has {} values for {} runs", o.name, o.values.size(), runs));
     }
+    if (!(o.discrepancy >= 0.0) || !std::isfinite(o.discrepancy)) {
+      throw DeckError(fmt::format("observable \"{}\": its discrepancy must be 0 or more", o.name));
+    }
     const LaboratoryValue& laboratory = o.laboratory;
     if (!std::isfinite(laboratory.value) || !std::isfinite(laboratory.deviation) || !(laboratory.deviation >= 0.0) ||
         !(laboratory.repeats >= 1.0) || !(laboratory.freedom > 0.0)) {

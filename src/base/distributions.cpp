@@ -8,9 +8,10 @@ namespace {
 
 namespace policies = boost::math::policies;
 
-using Quiet = policies::policy<
-    policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
-    policies::overflow_error<policies::ignore_error>, policies::evaluation_error<policies::ignore_error>>;
+using Quiet =
+    policies::policy<policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
+                     policies::overflow_error<policies::ignore_error>,
+                     policies::evaluation_error<policies::ignore_error>>;
 using ChiSquared = boost::math::chi_squared_distribution<double, Quiet>;
 using Student = boost::math::students_t_distribution<double, Quiet>;
 

@@ -61,7 +61,7 @@ double penalty(const Vector& x, Index d, bool is_lowest, Vector& gradient) {
 /// The terms of the mean: the level below, when there is one, then a constant or a plane.
 Matrix terms_of(const Replicates& data, const BelowLevel& below) {
   const bool is_lowest = below.mean.size() == 0;
-  const Matrix own = mean_terms(data.points, bears_plane(data, is_lowest));
+  const Matrix own = mean_terms(data.points, has_plane(data, is_lowest));
   if (is_lowest) return own;
   Matrix terms(own.rows(), own.cols() + 1);
   terms << below.mean, own;
@@ -108,9 +108,8 @@ Vector squares_at_points(const Replicates& data) {
 
 }  // namespace
 
-bool bears_plane(const Replicates& data, bool is_lowest) {
-  const Index terms = data.points.cols() + (is_lowest ? 1 : 2);
-  return data.size() >= 3 * terms;
+bool has_plane(const Replicates& data, bool is_lowest) {
+  return is_lowest && data.size() >= 3 * (data.points.cols() + 1);
 }
 
 double level_deviance(const Replicates& data, const BelowLevel& below, double taken, const Vector& x,
@@ -135,9 +134,9 @@ double level_deviance(const Replicates& data, const BelowLevel& below, double ta
                        f.weights * f.weights.transpose();
   const Matrix kernel_slope =
       h.added_variance * slope.cwiseProduct(MaternKernel{h.lengths}.slopes(data.points, data.points));
-  const Vector by_noise = (slope.diagonal().cwiseQuotient(data.count) +
-                           (repeats - squares.cwiseQuotient(f.noise)).cwiseQuotient(f.noise))
-                              .cwiseProduct(f.noise);
+  const Vector by_noise =
+      (slope.diagonal().cwiseQuotient(data.count) + (repeats - squares.cwiseQuotient(f.noise)).cwiseQuotient(f.noise))
+          .cwiseProduct(f.noise);
   for (Index j = 0; j < d; ++j) {
     const Vector place = data.points.col(j) / h.lengths[j];
     const Matrix apart = place.rowwise().replicate(n) - place.transpose().colwise().replicate(n);

@@ -11,9 +11,9 @@ struct BelowLevel {
   Matrix covariance;
 };
 
-/// The terms of the mean of a level at the rows of `points`, beside the surface of the level below: a constant, and a
-/// plane when the level's points can bear one.
-bool bears_plane(const Replicates& data, bool is_lowest);
+/// Whether the mean of a level is a plane: at the lowest, when its points can bear one. Above it the level below has
+/// the slopes, and a plane beside it would leave rho undetermined.
+bool has_plane(const Replicates& data, bool is_lowest);
 
 constexpr double rho_scatter = 10.0;  ///< of its prior, about 0: keeps it finite where the level below is flat
 

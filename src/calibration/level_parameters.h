@@ -8,8 +8,8 @@ namespace repose {
 
 /// What shapes one level of a process over levels, in the standardised units of that level.
 struct LevelParameters {
-  double rho = 0.0;          ///< what the level takes of the one below; 0 at the lowest
-  Vector lengths;            ///< of the kernel of what the level adds, in units of the box
+  double rho = 0.0;  ///< what the level takes of the one below; 0 at the lowest
+  Vector lengths;    ///< of the kernel of what the level adds, in units of the box
   double added_variance = 0.0;
   Vector noise;  ///< ln of the variance of one run: in the middle of the box, and its slopes over the box (C.24)
 

@@ -44,7 +44,7 @@ LevelProcess::LevelProcess(std::vector<Replicates> levels, std::vector<LevelPara
 
 void LevelProcess::add_level(Replicates data, const LevelParameters& parameters) {
   const bool is_lowest = data_.empty();
-  linear_.push_back(bears_plane(data, is_lowest) ? 1 : 0);
+  linear_.push_back(has_plane(data, is_lowest) ? 1 : 0);
   rho_column_.push_back(is_lowest ? no_column : columns_);
   columns_ += (is_lowest ? 0 : 1) + 1 + (linear_.back() != 0 ? data.points.cols() : 0);
   data_.push_back(std::move(data));
@@ -64,8 +64,7 @@ void LevelProcess::factorise() {
     all_terms.middleRows(rows[k], d.size()) = terms(k, d.points);
     values.segment(rows[k], d.size()) = d.mean;
     for (Index i = 0; i < d.size(); ++i) {
-      covariance(rows[k] + i, rows[k] + i) +=
-          parameters_[k].noise_variance(d.points.row(i).transpose()) / d.count[i];
+      covariance(rows[k] + i, rows[k] + i) += parameters_[k].noise_variance(d.points.row(i).transpose()) / d.count[i];
     }
   }
   covariance_.compute(covariance);
@@ -147,8 +146,8 @@ SurfaceValue LevelProcess::at(const Vector& point) const {
   const Vector near = prior_with_data(last, point.transpose()).transpose();
   const Vector own = terms(last, point.transpose()).transpose();
   const Vector excess = own - weighted_terms_.transpose() * near;
-  double variance = prior_variance() - covariance_.matrixL().solve(near).squaredNorm() +
-                    excess.dot(coefficient_covariance_ * excess);
+  double variance =
+      prior_variance() - covariance_.matrixL().solve(near).squaredNorm() + excess.dot(coefficient_covariance_ * excess);
   for (std::size_t k = 1; k <= last; ++k) {  // rho and the level below are both uncertain
     const double off = share(k, last) * rho_deviation(k) * below_[k - 1]->at(point).deviation;
     variance += off * off;

@@ -1,9 +1,11 @@
 #include "calibration/level_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "calibration/lattice.h"
 #include "calibration/misfit.h"
 
 namespace repose {
@@ -22,9 +24,14 @@ std::vector<Replicates> split(const std::string& name, Transform transform, cons
   return result;
 }
 
+/// A search puts points where the estimate is; their range, unlike their deviation, remains that of the first design.
 std::vector<Standard> standards_of(const std::vector<Replicates>& levels) {
   std::vector<Standard> result;
-  for (const Replicates& level : levels) result.push_back(standard_of(level));
+  for (const Replicates& level : levels) {
+    Standard& standard = result.emplace_back(standard_of(level));
+    const double range = level.mean.maxCoeff() - level.mean.minCoeff();
+    standard.scale = std::max(standard.scale, range / std::sqrt(12.0));  // the deviation of what is spread evenly
+  }
   return result;
 }
 
@@ -84,6 +91,21 @@ double LevelSurface::deviation_of(double level, double deviation, const Vector& 
   const Standard& standard = standards_.back();
   const double mean = standard.centre + standard.scale * level;
   return deviation * slope_of_transform(transform_, mean, noise_on_scale(point)) / standard.scale;
+}
+
+double LevelSurface::explained(std::size_t level) const {
+  constexpr Index nodes[] = {0, 101, 21, 9};
+  const Index d = data(0).points.cols();
+  const BoxLattice lattice = unit_lattice(d, nodes[d]);
+  Vector whole(lattice.size());
+  Vector added(lattice.size());
+  for (Index node = 0; node < lattice.size(); ++node) {
+    const Vector point = lattice.point(node);
+    whole[node] = process_.up_to(level).mean(point);
+    added[node] = whole[node] - process_.parameters(level).rho * process_.up_to(level - 1).mean(point);
+  }
+  const auto variance = [](const Vector& v) { return (v.array() - v.mean()).square().mean(); };
+  return variance(whole) > 0.0 ? 1.0 - variance(added) / variance(whole) : 0.0;
 }
 
 std::vector<NoiseWeights> LevelSurface::noise_weights(const Vector& point) const {

@@ -43,6 +43,9 @@ class LevelSurface : public ObservableSurface {
   /// rises by 1.
   double rho(std::size_t level) const { return process_.parameters(level).rho * ratio(level); }
   double rho_deviation(std::size_t level) const { return process_.rho_deviation(level) * ratio(level); }
+  /// The share of a level's variance over the box that rho times the level below explains: 1 - var(what is added) /
+  /// var.
+  double explained(std::size_t level) const;
 
  private:
   LevelSurface(std::string name, Transform transform, std::vector<Replicates> levels);

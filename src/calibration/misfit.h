@@ -61,7 +61,9 @@ class Misfit {
   const Matrix& runs() const { return runs_; }
   std::size_t levels() const { return levels_.count; }
   /// The level of a run.
-  std::size_t level_of(Index run) const { return levels_.count == 1 ? 0 : levels_.of_run[static_cast<std::size_t>(run)]; }
+  std::size_t level_of(Index run) const {
+    return levels_.count == 1 ? 0 : levels_.of_run[static_cast<std::size_t>(run)];
+  }
   Index parameters() const { return static_cast<Index>(ranges_.size()); }
   Index observables() const { return static_cast<Index>(surfaces_.size()); }
 
@@ -80,7 +82,7 @@ class Misfit {
   RunLevels levels_;
   std::vector<std::shared_ptr<const ObservableSurface>> surfaces_;
   std::vector<LaboratoryValue> laboratory_;
-  std::vector<double> discrepancy_;                ///< in units
+  std::vector<double> discrepancy_;               ///< in units
   std::vector<std::vector<SharedNoise>> shared_;  ///< of each pair of surfaces, one per level
 };
 

@@ -9,8 +9,8 @@
 namespace repose {
 
 /// The runs of an observable on the scale of its transform. A row of `points` per run in units of the box; `values` are
-/// in the observable's own units, NaN: the run has none. DeckError when fewer than four points have a value, or one that
-/// the transform does not take.
+/// in the observable's own units, NaN: the run has none. DeckError when fewer than four points have a value, or one
+/// that the transform does not take.
 Replicates transformed_runs(const std::string& name, Transform transform, const Matrix& points,
                             std::span<const double> values);
 

@@ -66,7 +66,8 @@ class Group {
         log.reset(std::fopen((folder + "/run.log").c_str(), "a"));
         if (!log) throw FileError(fmt::format("{}/run.log: cannot be opened", folder));
       });
-      const RunRequest request = {plan_.bases[run.level], run.overrides, folder, plan_.level, {log.get(), log.get()}, true};
+      const RunRequest request = {plan_.bases[run.level], run.overrides, folder, plan_.level,
+                                  {log.get(), log.get()}, true};
       run_file(comm_, request, [&](double needed) { return stop_now(needed); });
     } catch (const Stopped&) {
       if (comm_.is_root()) counters_.add(stop_wanted, 1);

@@ -32,8 +32,8 @@ struct CampaignEffort {
   double idle_share = 0.0;  ///< of all ranks' time, in which they waited for the others' last runs
 };
 
-/// For one level. Figures are keys of summary.json; `request` names the study's deck, whose text is given, and the directory. Its
-/// overrides are of the base deck.
+/// For one level. Figures are keys of summary.json; `request` names the study's deck, whose text is given, and the
+/// directory. Its overrides are of the base deck.
 CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
                      const RunRequest& request);
 

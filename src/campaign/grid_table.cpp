@@ -66,7 +66,7 @@ void write_hdf5(const std::string& path, const GridTable& table) {
     std::vector<std::string> levels;
     for (const StudyRun& run : table.runs) levels.push_back(table.levels[run.level]);
     texts("level", levels);
-    file.write_attribute("/runs", "levels", std::span<const std::string>(table.levels));
+    file.write_attribute("/runs/level", "names", std::span<const std::string>(table.levels));
   }
   texts("state", column<std::string>(table.records, [](const RunRecord& r) { return to_string(r.state); }));
   texts("reason", column<std::string>(table.records, [](const RunRecord& r) { return r.reason; }));
@@ -90,8 +90,7 @@ std::string quoted(const std::string& text) {
 
 std::string csv_of(const GridTable& table) {
   std::string text = table.levels.empty() ? "" : "level,";
-  text +=
-      fmt::format("{},seed,state,{},reason\n", fmt::join(table.parameters, ","), fmt::join(table.figures, ","));
+  text += fmt::format("{},seed,state,{},reason\n", fmt::join(table.parameters, ","), fmt::join(table.figures, ","));
   for (std::size_t i = 0; i < table.runs.size(); ++i) {
     const RunRecord& record = table.records[i];
     if (!table.levels.empty()) text += table.levels[table.runs[i].level] + ",";

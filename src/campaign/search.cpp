@@ -68,9 +68,8 @@ BatchPlan batch_after(const CalibrationDeck& deck, const DoneRuns& done, std::si
   const bool in_core_hours = !std::isnan(a.budget_core_hours);
   if (deck.levels.empty() && !in_core_hours) return batch;
   batch.cost = [&deck, &done, seeds = batch.seeds](const LevelPoint& point) {
-    return static_cast<double>(seeds[point.level]) * expected_particle_steps(done.runs, done.records,
-                                                                             deck.study.parameters, point.level,
-                                                                             point.values) /
+    return static_cast<double>(seeds[point.level]) *
+           expected_particle_steps(done.runs, done.records, deck.study.parameters, point.level, point.values) /
            (deck.adaptive.core_speed * seconds_per_hour);
   };
   if (in_core_hours) batch.budget = a.budget_core_hours - core_hours(deck, done.records);

@@ -32,10 +32,10 @@ struct PointDeck {
 
 /// A search that decides on its points as it goes.
 struct AdaptiveDeck {
-  bool enabled = false;       ///< true when the deck has the section
-  std::int64_t start = 0;     ///< points of the first design
-  std::int64_t batch = 0;     ///< points decided at a time
-  std::int64_t budget = 0;    ///< points in all; 0: not given
+  bool enabled = false;     ///< true when the deck has the section
+  std::int64_t start = 0;   ///< points of the first design
+  std::int64_t batch = 0;   ///< points decided at a time
+  std::int64_t budget = 0;  ///< points in all; 0: not given
   double budget_core_hours = unset;
   double core_speed = 8e6;    ///< particle-steps per second of a core, by which core-hours are counted
   double half_width = unset;  ///< of the widest confidence interval over its range, at which it is narrow enough

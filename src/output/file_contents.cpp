@@ -67,8 +67,8 @@ void read_state(const Hdf5Reader& file, FileContents& contents) {
 }
 
 /// How often each of the names is in a data set of texts; another one is `wrong`.
-std::vector<FileContents::Count> counted(const Hdf5Reader& file, const char* path, const std::vector<std::string>& names,
-                                         const char* wrong) {
+std::vector<FileContents::Count> counted(const Hdf5Reader& file, const char* path,
+                                         const std::vector<std::string>& names, const char* wrong) {
   std::vector<FileContents::Count> counts;
   for (const std::string& name : names) counts.push_back({name, 0});
   for (const std::string& text : file.read_text_rows(path)) {
@@ -83,10 +83,9 @@ std::vector<FileContents::Count> counted(const Hdf5Reader& file, const char* pat
 void read_grid(const Hdf5Reader& file, FileContents& contents) {
   contents.columns = file.read_texts("names", "/runs/parameters");
   contents.figures = file.read_texts("names", "/runs/figures");
-  contents.states =
-      counted(file, "/runs/state", {"waiting", "running", "done", "plugged", "failed"}, "state of a run");
+  contents.states = counted(file, "/runs/state", {"waiting", "running", "done", "plugged", "failed"}, "state of a run");
   if (file.has("/runs/level")) {
-    contents.levels = counted(file, "/runs/level", file.read_texts("levels", "/runs"), "level of the model");
+    contents.levels = counted(file, "/runs/level", file.read_texts("names", "/runs/level"), "level of the model");
   }
 }
 

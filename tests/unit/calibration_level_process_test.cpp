@@ -55,8 +55,8 @@ TEST(LevelProcess, OfOneLevelIsPlainKriging) {
   EXPECT_NEAR((process.covariance(0, places, 0, few) - plain.covariance(places, few)).norm(), 0.0, 1e-10);
 }
 
-/// A level given the one below, by the recursive form: the mean and covariance of the level below given its own runs are
-/// the prior of this one.
+/// A level given the one below, by the recursive form: the mean and covariance of the level below given its own runs
+/// are the prior of this one.
 struct Recursive {
   const LevelProcess& below;
   const Replicates& data;
@@ -68,8 +68,7 @@ struct Recursive {
     return result;
   }
   Matrix prior(const Matrix& a, const Matrix& b) const {
-    return h.rho * h.rho * below.covariance(0, a, 0, b) +
-           h.added_variance * MaternKernel{h.lengths}.between(a, b);
+    return h.rho * h.rho * below.covariance(0, a, 0, b) + h.added_variance * MaternKernel{h.lengths}.between(a, b);
   }
   /// Mean in the first column, covariance in the others.
   Matrix given_runs(const Matrix& at) const {
@@ -87,8 +86,7 @@ struct Recursive {
     const Matrix excess = terms(at).transpose() - f.transpose() * inverse * near;
     Matrix result(at.rows(), 1 + at.rows());
     result.col(0) = terms(at) * beta + near.transpose() * inverse * (data.mean - f * beta);
-    result.rightCols(at.rows()) =
-        prior(at, at) - near.transpose() * inverse * near + excess.transpose() * g * excess;
+    result.rightCols(at.rows()) = prior(at, at) - near.transpose() * inverse * near + excess.transpose() * g * excess;
     return result;
   }
 };
@@ -207,7 +205,8 @@ TEST_F(LevelDeviance, OfReplicatesIsThatOfTheirRuns) {
   Vector other = x;
   other[3] += 0.7;
   other[4] -= 0.4;
-  const double together = level_deviance(high, below, 3.6, x, ignored) - level_deviance(high, below, 3.6, other, ignored);
+  const double together =
+      level_deviance(high, below, 3.6, x, ignored) - level_deviance(high, below, 3.6, other, ignored);
   const double one_by_one =
       level_deviance(single, of_single, 3.6, x, ignored) - level_deviance(single, of_single, 3.6, other, ignored);
   EXPECT_NEAR(together, one_by_one, 1e-4);
@@ -218,9 +217,8 @@ TEST_F(LevelDeviance, OfReplicatesIsThatOfTheirRuns) {
 TEST(LevelNoise, FollowsTheScatterOfTheSeeds) {
   const Matrix points = unit_grid(8, 8);
   Draw draw(7);
-  const std::vector<double> values = values_at(points, [&](double x, double y) {
-    return cheap(x, y) + 0.2 * std::exp2(-2.0 * x) * draw.normal();
-  });
+  const std::vector<double> values =
+      values_at(points, [&](double x, double y) { return cheap(x, y) + 0.2 * std::exp2(-2.0 * x) * draw.normal(); });
   const LevelProcess process({replicates_of(points, values)});
   const auto scatter = [&](double x) { return std::sqrt(process.parameters(0).noise_variance(vector_of({x, 0.5}))); };
   EXPECT_NEAR(scatter(0.0) / 0.2, 1.0, 0.15);
@@ -252,7 +250,8 @@ TEST(LevelSurface, EveryLevelNeedsItsPoints) {
   const RunLevels levels{.count = 2, .of_run = {0, 0, 0, 0, 1, 1, 1}};
   Matrix points(7, 2);
   points << unit_grid(2), few.topRows(3);
-  EXPECT_THROW(LevelSurface("mass", Transform::none, points, std::vector<double>{1, 2, 3, 4, 5, 6, 7}, levels), DeckError);
+  EXPECT_THROW(LevelSurface("mass", Transform::none, points, std::vector<double>{1, 2, 3, 4, 5, 6, 7}, levels),
+               DeckError);
 }
 
 TEST(Discrepancy, WidensTheDifferenceByItsVariance) {

@@ -31,11 +31,12 @@ inline double scatter_factor(const StandIn& s, const std::vector<double>& point)
 
 /// A small apparatus: less of everything, a bend of its own; the correlation over the box is above 0.95.
 inline LevelStandIn correlated_levels() {
-  return {.last = friction_stand_in(),
-          .below = {{[](double a, double, double last) { return 4.0 + 0.3 * last + 0.02 * std::sin(5.0 * a); },
-                     [](double a, double b, double last) { return 6.0 + 0.7 * last + 0.5 * std::sin(4.0 * a + 3.0 * b); }}},
-          .noise = {0.5, 1.0},
-          .design = {36, 10}};
+  return {
+      .last = friction_stand_in(),
+      .below = {{[](double a, double b, double last) { return 4.0 + 0.3 * last + 0.02 * std::sin(2.0 * a + b); },
+                 [](double a, double b, double last) { return 6.0 + 0.7 * last + 0.5 * std::sin(2.0 * a + 3.0 * b); }}},
+      .noise = {0.5, 1.0},
+      .design = {36, 10}};
 }
 
 /// Coarse grains: as much a trend of their own as the response.

@@ -40,12 +40,14 @@ struct SearchOutcome {
   bool covered = false;
 };
 
-/// Batches of four points with two seeds, until the half-width is that asked for in two estimates in a row or the budget
-/// is spent. A run of a level costs a twentieth of one of the next.
+/// Batches of four points with two seeds, until the half-width is that asked for in two estimates in a row or the
+/// budget is spent. A run of a level costs a twentieth of one of the next.
 inline SearchOutcome search_levels(const LevelStandIn& s, const std::vector<LaboratoryValue>& laboratory,
                                    const std::vector<double>& hidden, double half_width, double budget, Draw& draw) {
   constexpr std::size_t seeds = 2;
-  const auto cost_of = [&](std::size_t level) { return std::pow(20.0, static_cast<double>(level + 1) - static_cast<double>(s.levels())); };
+  const auto cost_of = [&](std::size_t level) {
+    return std::pow(20.0, static_cast<double>(level + 1) - static_cast<double>(s.levels()));
+  };
   LevelCampaign c = start_of(s, laboratory);
   add_designs(c, s, seeds, draw);
   SearchOutcome outcome;

@@ -13,19 +13,16 @@ target_compile_definitions(repose_flags INTERFACE OMPI_SKIP_MPICXX)
 
 # The first finding ends the process. The environment for running such a build: test preset asan in CMakePresets.json.
 option(REPOSE_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+# One build for both: the sources are instrumented once.
+option(REPOSE_FUZZ "Build the fuzz targets with clang's libFuzzer, too" OFF)
 if(REPOSE_SANITIZE)
-  set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize=float-cast-overflow>)
   target_compile_options(repose_flags INTERFACE ${sanitize})
   target_link_options(repose_flags INTERFACE ${sanitize})
 endif()
-
-# For the fuzz targets in tests/fuzz, which are all that is built then: clang's libFuzzer.
-option(REPOSE_FUZZ "Build the fuzz targets (clang)" OFF)
 if(REPOSE_FUZZ)
-  set(sanitize -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_compile_options(repose_flags INTERFACE -fsanitize=fuzzer-no-link ${sanitize}
-    -include ${PROJECT_SOURCE_DIR}/tests/fuzz/clang.h)
-  target_link_options(repose_flags INTERFACE ${sanitize})
+  target_compile_options(repose_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # repose_library(NAME [SOURCES generated...] LINK ...): the library of one folder under src, of all its sources.

@@ -1,4 +1,4 @@
-# bash completion of repose. tests/regression/install_test.py compares it with `repose --help`.
+# bash completion of repose. Commands, options, choices and the endings of files are those that `repose --help` tells.
 
 # Names of files with one of these endings, and of directories.
 _repose_files() {
@@ -12,57 +12,45 @@ _repose_files() {
 
 _repose_words() { mapfile -t COMPREPLY < <(compgen -W "$*" -- "$cur"); }
 
-# The command, with the tool after thermal, among the words before the one at the cursor.
-_repose_command() {
-  local word
-  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
-    [[ $word == -* ]] && break
-    command=${command:+$command }$word
-    [[ $command == thermal ]] || break
-  done
-}
+# Lines of the help below a heading.
+_repose_section() { sed -n "/^$1:/,/^[A-Z][A-Za-z]*:/p" <<<"$help" | grep '^  *[^ ]'; }
+
+# The endings of files that a description names: "(TOML)", "(.hdf)", "grid.h5", "CSV".
+_repose_endings() { grep -oE '\bTOML\b|\bCSV\b|\.(hdf|h5)\b' <<<"$*" | tr -d . | tr '[:upper:]' '[:lower:]' | sort -u; }
 
 _repose() {
-  local cur=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=''
-  local study='--help --set --output --vector-level --time-limit --quiet' options=''
-  _repose_command
+  local cur=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} help line word
+  local -a command=() endings=()
+  help=$("${COMP_WORDS[0]}" --help 2>/dev/null) || return
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+    [[ $word == -* ]] && break
+    _repose_section Subcommands | awk '{print $1}' | grep -qxF -- "$word" || break
+    command+=("$word")
+    help=$("${COMP_WORDS[0]}" "${command[@]}" --help 2>/dev/null) || return
+  done
 
-  case $previous in
-    --output) if [[ $command == export ]]; then _repose_files vtp csv; else _repose_files; fi && return ;;
-    --deck) _repose_files toml && return ;;
-    --vector-level) _repose_words auto sse2 avx2 avx512 && return ;;
-    --format) _repose_words vtp csv && return ;;
-    --set | --case | --time-limit) return ;;
-  esac
-
-  case $command in
-    '') options='--help --version' ;;
-    run) options="$study --restart" ;;
-    validate) options="$study --case" ;;
-    calibrate | sensitivity) options=$study ;;
-    check) options='--help --set' ;;
-    info | keys | thermal) options='--help' ;;
-    export) options='--help --format --output' ;;
-    estimate) options='--help --deck' ;;
-    thermal\ bed | thermal\ synthesise | thermal\ sensor | thermal\ mixture) options='--help --set --output' ;;
-    measure | thermal\ * | compare) options='--help --deck --set --output' ;;
-  esac
-  if [[ $cur == -* ]]; then
-    _repose_words "$options"
-    return
+  line=$(_repose_section Options | grep -E "^ *(-[a-z],)?$previous( |$)" | head -n 1)
+  if [[ $previous == --* && -n $line ]]; then
+    if [[ $line == *'{'* ]]; then
+      word=${line#*\{}
+      _repose_words "$(tr ',' ' ' <<<"${word%%\}*}")" && return
+    fi
+    case $line in
+      *' DIR '*) _repose_files && return ;;
+      *' DECK '*) _repose_files toml && return ;;
+      *' FILE '*) _repose_files toml csv vtp && return ;;
+      *KEY=VALUE* | *NAME* | *HH:MM:SS*) return ;;
+    esac
   fi
 
-  case $command in
-    '') _repose_words run check measure info export validate calibrate estimate sensitivity thermal compare keys ;;
-    thermal) _repose_words bed network tps synthesise sensor mixture ;;
-    measure | thermal\ network) _repose_files hdf csv ;;
-    info) _repose_files hdf h5 ;;
-    export) _repose_files hdf ;;
-    estimate) _repose_files ;;
-    compare | thermal\ tps) _repose_files csv ;;
-    keys) ;;
-    *) _repose_files toml ;;
-  esac
+  if [[ $cur == -* ]]; then
+    _repose_words "$(_repose_section Options | grep -oE -- '--[a-z-]+' | sort -u)"
+  elif [[ $help == *Subcommands:* ]]; then
+    _repose_words "$(_repose_section Subcommands | grep -E '^  [a-z]' | awk '{print $1}')"
+  else
+    mapfile -t endings < <(_repose_endings "$(_repose_section Positionals)")
+    _repose_files "${endings[@]}"
+  fi
 }
 
 complete -F _repose repose

@@ -5,7 +5,8 @@
 
 usage="usage: tools/run-tests.sh [--slow | --all] [--asan]
   (none)   every test but those labelled slow; the unit tests a second time, on 1 and 2 ranks, under the address and
-           undefined-behaviour sanitizers; each fuzz target for 20 s. Less than 45 minutes on 2 cores
+           undefined-behaviour sanitizers of clang; in the same build each fuzz target for 20 s. Less than 45 minutes on
+           2 cores
   --slow   the tests labelled slow instead, and each fuzz target for 5 minutes
   --all    every test
   --asan   all of the chosen tests a second time under the sanitizers"
@@ -38,9 +39,10 @@ run_ctest ci "${chosen[@]}"
 if [[ -n ${everything_sanitized:-} ]]; then
   build asan
   run_ctest asan "${chosen[@]}"
-elif [[ -z ${only_slow:-} ]]; then
-  build asan --target sanitized_tests
-  run_ctest asan -L '^sanitized$'
+elif [[ -n ${only_slow:-} ]]; then
+  build asan --target fuzz
+  run_ctest asan "${chosen[@]}" -L '^fuzz$'
+else
+  build asan --target sanitized_tests --target fuzz
+  run_ctest asan "${chosen[@]}" -L '^(sanitized|fuzz)$'
 fi
-build fuzz
-run_ctest fuzz "${chosen[@]}"

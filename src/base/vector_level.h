@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 
 namespace repose {
 
@@ -15,26 +16,38 @@ std::string to_string(VectorLevel level);
 
 namespace detail {
 
+/// A body that takes a parameter gets the number of lanes as an integral constant.
+template <int lanes, class Body>
+[[gnu::always_inline]] inline auto run_lanes(const Body& body) {
+  using Number = std::integral_constant<int, lanes>;
+  if constexpr (std::is_invocable_v<const Body&, Number>) {
+    return body(Number{});
+  } else {
+    return body();
+  }
+}
+
 template <class Body>
 [[gnu::noinline]] auto run_plain(const Body& body) {
-  return body();
+  return run_lanes<4>(body);
 }
 #if defined(__x86_64__)
 template <class Body>
 [[gnu::noinline, gnu::target("avx2")]] auto run_avx2(const Body& body) {
-  return body();
+  return run_lanes<4>(body);
 }
 template <class Body>
 [[gnu::noinline, gnu::target("avx512f,avx512dq,avx512vl,avx512bw,avx512cd")]] auto run_avx512(const Body& body) {
-  return body();
+  return run_lanes<8>(body);
 }
 #endif
 
 }  // namespace detail
 
 /// Runs `body` compiled for a level that this processor has. Only what is inlined into it uses the level: the body has
-/// to be a lambda with REPOSE_INLINE behind its parameters, and so has all that it calls. Elsewhere than on x86-64 the
-/// compiler's own baseline serves every level.
+/// to be a lambda with REPOSE_INLINE behind its parameters, and so has all that it calls. It may take the number of
+/// lanes that suits the level, eight for AVX-512 and four for the others, as an `auto` parameter. Elsewhere than on
+/// x86-64 the compiler's own baseline serves every level.
 template <class Body>
 auto at_level([[maybe_unused]] VectorLevel level, const Body& body) {
 #if defined(__x86_64__)

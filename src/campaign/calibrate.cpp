@@ -53,11 +53,10 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
     write_text_file(request.output + deck_file, text);
   });
   CalibrationWork work(world, deck, text, request, stop_asked);
-  const auto [runs, records] =
-      deck.adaptive.enabled ? search(deck, work) : work.at(at_every_level(deck, points_of(deck)));
+  const auto done = deck.adaptive.enabled ? search(deck, work) : work.at(at_every_level(deck, points_of(deck)));
   std::string report;
   agree_after_root(world, [&] {
-    report = write_estimate(deck, runs, records, request.output);
+    report = write_estimate(deck, done.runs, done.records, request.output);
     report += effort_text(work.effort(), world.size());
   });
   return report;

@@ -5,8 +5,8 @@
 #include "files/shared_file.h"
 #include "integration/time_step.h"
 #include "output/progress.h"
-#include "run/phases.h"
 #include "run/run_plan.h"
+#include "simulation/phases.h"
 #include "simulation/setup.h"
 
 namespace repose {

@@ -34,7 +34,7 @@ struct CommandEntry {
 
 /// All commands, in the order of the help.
 const std::vector<CommandEntry>& command_entries();
-/// The meaning of a group, "thermal".
+/// The meaning in the help of a group of commands with two words, such as "thermal".
 std::string group_meaning(const std::string& group);
 
 }  // namespace repose

@@ -1,3 +1,5 @@
+#include <map>
+
 #include "commands/command.h"
 
 namespace repose {
@@ -45,6 +47,11 @@ const std::vector<CommandEntry>& command_entries() {
   return entries;
 }
 
-std::string group_meaning(const std::string&) { return "thermal properties of beds, and of measurements of them"; }
+std::string group_meaning(const std::string& group) {
+  static const std::map<std::string, std::string> meanings = {
+      {"thermal", "thermal properties of beds, and of measurements of them"},
+  };
+  return meanings.at(group);
+}
 
 }  // namespace repose

@@ -33,7 +33,7 @@ void check_finite(const Json& value, const std::string& name, const std::string&
 }
 
 /// What data a tool takes beside its deck.
-enum class Data { none, files, two_files };
+enum class Data { none, beds, tables, two_tables };
 
 /// One of the thermal tools (thermal/tools): it takes data and its deck as an option, like measure, or no data and its
 /// deck as the argument.
@@ -43,8 +43,9 @@ class ThermalTool : public Command {
   ThermalTool(std::string name, Data data, Tool tool) : name_(std::move(name)), data_(data), tool_(tool) {}
 
   void declare(Options& options) override {
-    if (data_ == Data::files) options.arguments("FILE", files_, "data; several are allowed");
-    if (data_ == Data::two_files) options.arguments("FILES", files_, "two files", 2, "A B");
+    if (data_ == Data::tables) options.arguments("FILE", files_, "data (CSV); several are allowed");
+    if (data_ == Data::beds) options.arguments("FILE", files_, "snapshots (.hdf) or lists (CSV); several are allowed");
+    if (data_ == Data::two_tables) options.arguments("FILES", files_, "two files (CSV)", 2, "A B");
     if (data_ == Data::none) {
       options.argument("DECK", deck_, "deck (TOML)");
     } else {
@@ -96,13 +97,13 @@ std::unique_ptr<Command> tool(const char* name, Data data, ThermalTool::Tool run
 }  // namespace
 
 std::unique_ptr<Command> thermal_bed_command() { return tool("bed", Data::none, thermal::bed_tool); }
-std::unique_ptr<Command> thermal_network_command() { return tool("network", Data::files, thermal::network_tool); }
-std::unique_ptr<Command> thermal_tps_command() { return tool("tps", Data::files, thermal::tps_tool); }
+std::unique_ptr<Command> thermal_network_command() { return tool("network", Data::beds, thermal::network_tool); }
+std::unique_ptr<Command> thermal_tps_command() { return tool("tps", Data::tables, thermal::tps_tool); }
 std::unique_ptr<Command> thermal_synthesise_command() {
   return tool("synthesise", Data::none, thermal::synthesise_tool);
 }
 std::unique_ptr<Command> thermal_sensor_command() { return tool("sensor", Data::none, thermal::sensor_tool); }
 std::unique_ptr<Command> thermal_mixture_command() { return tool("mixture", Data::none, thermal::mixture_tool); }
-std::unique_ptr<Command> compare_command() { return tool("compare", Data::two_files, thermal::compare_tool); }
+std::unique_ptr<Command> compare_command() { return tool("compare", Data::two_tables, thermal::compare_tool); }
 
 }  // namespace repose

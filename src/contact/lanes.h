@@ -6,10 +6,10 @@
 #include "neighbours/contact_block.h"
 #include "scene/particles/particles.h"
 
-// What the loops over pair and wall contacts share. They take the lanes of a block four at a time, in passes over the
-// whole block that hand their results on in columns. A pass ends where the next operation would wait for a root, a
-// division or a gather: the processor, which looks some hundred instructions ahead, then finds those of several quads
-// to overlap. Everything is inlined, for the vector level of the caller (base/vector_level.h).
+// What the loops over pair and wall contacts share. They take the lanes of a block four or eight at a time, in passes
+// over the whole block that hand their results on in columns. A pass ends where the next operation would wait for a
+// root, a division or a gather: the processor, which looks some hundred instructions ahead, then finds those of several
+// of them to overlap. Everything is inlined, for the vector level of the caller (base/vector_level.h).
 
 namespace repose {
 
@@ -22,29 +22,31 @@ namespace repose {
   __builtin_prefetch(sums + particle, 1);
 }
 
-/// One particle of each of four lanes.
-struct QuadParticle {
-  QuadVec3 position, velocity, spin;
-  Quad radius, force_scale, torque_scale;
+/// One particle of each lane.
+template <Lanes Real>
+struct LaneParticle {
+  Vector3<Real> position, velocity, spin;
+  Real radius, force_scale, torque_scale;
 };
 
-[[gnu::always_inline]] inline QuadParticle gather(const ParticleRecord* records, const std::int32_t* index) {
-  const auto* r0 = reinterpret_cast<const QuadInMemory*>(records + index[0]);
-  const auto* r1 = reinterpret_cast<const QuadInMemory*>(records + index[1]);
-  const auto* r2 = reinterpret_cast<const QuadInMemory*>(records + index[2]);
-  const auto* r3 = reinterpret_cast<const QuadInMemory*>(records + index[3]);
-  QuadParticle p = {{r0[0], r1[0], r2[0]}, {r0[1], r1[1], r2[1]}, {r0[2], r1[2], r2[2]}, r3[0], r3[1], r3[2]};
-  transpose(p.position.x, p.position.y, p.position.z, p.radius);
-  transpose(p.velocity.x, p.velocity.y, p.velocity.z, p.force_scale);
-  transpose(p.spin.x, p.spin.y, p.spin.z, p.torque_scale);
+template <Lanes Real>
+[[gnu::always_inline]] inline LaneParticle<Real> gather(const ParticleRecord* records, const std::int32_t* index) {
+  const QuadInMemory* row[lanes_of<Real>];
+  for (int k = 0; k < lanes_of<Real>; ++k) row[k] = reinterpret_cast<const QuadInMemory*>(records + index[k]);
+  LaneParticle<Real> p;
+  load_rows(row, 0, p.position.x, p.position.y, p.position.z, p.radius);
+  load_rows(row, 1, p.velocity.x, p.velocity.y, p.velocity.z, p.force_scale);
+  load_rows(row, 2, p.spin.x, p.spin.y, p.spin.z, p.torque_scale);
   return p;
 }
 
-/// A vector of each of four lanes, from and to the columns of its components.
-[[gnu::always_inline]] inline QuadVec3 load(const double (&columns)[3][block_lanes], int k) {
-  return {load(columns[0] + k), load(columns[1] + k), load(columns[2] + k)};
+/// A vector of each lane, from and to the columns of its components.
+template <Lanes Real>
+[[gnu::always_inline]] inline Vector3<Real> load(const double (&columns)[3][block_lanes], int k) {
+  return {load<Real>(columns[0] + k), load<Real>(columns[1] + k), load<Real>(columns[2] + k)};
 }
-[[gnu::always_inline]] inline void store(const QuadVec3& v, double (&columns)[3][block_lanes], int k) {
+template <Lanes Real>
+[[gnu::always_inline]] inline void store(const Vector3<Real>& v, double (&columns)[3][block_lanes], int k) {
   store(v.x, columns[0] + k);
   store(v.y, columns[1] + k);
   store(v.z, columns[2] + k);
@@ -53,7 +55,8 @@ struct QuadParticle {
 /// A body's lever arm in each lane, in m, and the scales of its sums.
 struct LaneBody {
   alignas(64) double arm[block_lanes], force_scale[block_lanes], torque_scale[block_lanes];
-  [[gnu::always_inline]] void set_scales(int k, const QuadParticle& particle) {
+  template <Lanes Real>
+  [[gnu::always_inline]] void set_scales(int k, const LaneParticle<Real>& particle) {
     store(particle.force_scale, force_scale + k);
     store(particle.torque_scale, torque_scale + k);
   }
@@ -64,58 +67,89 @@ struct LaneGeometry {
   alignas(64) double normal[3][block_lanes], tangential_velocity[3][block_lanes], rolling_velocity[3][block_lanes];
   alignas(64) double overlap[block_lanes], radius_eff[block_lanes], mass_eff[block_lanes], normal_velocity[block_lanes];
   alignas(64) double velocity_normal[3][block_lanes];  // of a law with options
-  [[gnu::always_inline]] BasicContactGeometry<Quad> get(int k) const {
-    return {.normal = load(normal, k),
-            .overlap = load(overlap + k),
-            .radius_eff = load(radius_eff + k),
-            .mass_eff = load(mass_eff + k),
-            .normal_velocity = load(normal_velocity + k),
-            .tangential_velocity = load(tangential_velocity, k),
-            .rolling_velocity = load(rolling_velocity, k),
-            .velocity_normal = load(velocity_normal, k)};
+  template <Lanes Real>
+  [[gnu::always_inline]] BasicContactGeometry<Real> get(int k) const {
+    return {.normal = load<Real>(normal, k),
+            .overlap = load<Real>(overlap + k),
+            .radius_eff = load<Real>(radius_eff + k),
+            .mass_eff = load<Real>(mass_eff + k),
+            .normal_velocity = load<Real>(normal_velocity + k),
+            .tangential_velocity = load<Real>(tangential_velocity, k),
+            .rolling_velocity = load<Real>(rolling_velocity, k),
+            .velocity_normal = load<Real>(velocity_normal, k)};
   }
 };
 
-[[gnu::always_inline]] inline void add_row(const Quad& row, std::int64_t* sum) {
-  *reinterpret_cast<QuadBitsInMemory*>(sum) += reinterpret_cast<QuadBits>(row) - fixed_point_offset_bits;
+/// Adds offset values, of one particle or two, to its sum or theirs.
+template <Lanes Real>
+[[gnu::always_inline]] inline void add_offset(const Real& row, std::int64_t* sum) {
+  *reinterpret_cast<typename LaneTypes<Real>::BitsInMemory*>(sum) +=
+      reinterpret_cast<LaneBits<Real>>(row) - fixed_point_offset_bits;
 }
 
-/// Adds offset values to the sums of four particles. `difference` collects what in_fixed_point_range asks for; what is
-/// not in range wraps until the alarm is seen.
-[[gnu::always_inline]] inline void scatter(Quad x, Quad y, Quad z, std::int64_t* s0, std::int64_t* s1, std::int64_t* s2,
-                                           std::int64_t* s3, QuadBits& difference) {
-  difference |= (reinterpret_cast<QuadBits>(x) ^ fixed_point_offset_bits) |
-                (reinterpret_cast<QuadBits>(y) ^ fixed_point_offset_bits) |
-                (reinterpret_cast<QuadBits>(z) ^ fixed_point_offset_bits);
-  auto w = broadcast<Quad>(fixed_point_offset);
-  transpose(x, y, z, w);
-  add_row(x, s0);
-  add_row(y, s1);
-  add_row(z, s2);
-  add_row(w, s3);
+/// Adds rows of force and torque, by column, to the sums of the lanes' particles.
+[[gnu::always_inline]] inline void add_columns(const QuadVec3& force, const QuadVec3& torque,
+                                               ForceSum* const (&sum)[4]) {
+  const auto padding = broadcast<Quad>(fixed_point_offset);
+  Quad f[] = {force.x, force.y, force.z, padding};
+  transpose(f[0], f[1], f[2], f[3]);
+  for (int k = 0; k < 4; ++k) add_offset(f[k], sum[k]->force);
+  Quad t[] = {torque.x, torque.y, torque.z, padding};
+  transpose(t[0], t[1], t[2], t[3]);
+  for (int k = 0; k < 4; ++k) add_offset(t[k], sum[k]->torque);
+}
+[[gnu::always_inline]] inline void add_columns(const Vector3<Octet>& force, const Vector3<Octet>& torque,
+                                               ForceSum* const (&sum)[8]) {
+  const auto padding = broadcast<Octet>(fixed_point_offset);
+#ifdef SCATTER32
+  for (int half = 0; half < 2; ++half) {
+    const Vector3<Octet>& v = half == 0 ? force : torque;
+    const Octet xy[] = {__builtin_shufflevector(v.x, v.y, 0, 8, 2, 10, 4, 12, 6, 14),
+                        __builtin_shufflevector(v.x, v.y, 1, 9, 3, 11, 5, 13, 7, 15)};
+    const Octet zw[] = {__builtin_shufflevector(v.z, padding, 0, 8, 2, 10, 4, 12, 6, 14),
+                        __builtin_shufflevector(v.z, padding, 1, 9, 3, 11, 5, 13, 7, 15)};
+    Quad r[8];
+    for (int k = 0; k < 2; ++k) {
+      r[k] = __builtin_shufflevector(xy[k], zw[k], 0, 1, 8, 9);
+      r[k + 2] = __builtin_shufflevector(xy[k], zw[k], 2, 3, 10, 11);
+      r[k + 4] = __builtin_shufflevector(xy[k], zw[k], 4, 5, 12, 13);
+      r[k + 6] = __builtin_shufflevector(xy[k], zw[k], 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 8; ++k) add_offset(r[k], half == 0 ? sum[k]->force : sum[k]->torque);
+  }
+#else
+  Octet row[] = {force.x, force.y, force.z, padding, torque.x, torque.y, torque.z, padding};
+  transpose(row);
+  for (int k = 0; k < 8; ++k) add_offset(row[k], sum[k]->force);
+#endif
 }
 
-/// Adds force and torque, already scaled and offset, of four lanes.
-[[gnu::always_inline]] inline void scatter(const QuadVec3& force, const QuadVec3& torque, const std::int32_t* index,
-                                           ForceSum* sums, QuadBits& difference) {
-  ForceSum& s0 = sums[index[0]];
-  ForceSum& s1 = sums[index[1]];
-  ForceSum& s2 = sums[index[2]];
-  ForceSum& s3 = sums[index[3]];
-  scatter(force.x, force.y, force.z, s0.force, s1.force, s2.force, s3.force, difference);
-  scatter(torque.x, torque.y, torque.z, s0.torque, s1.torque, s2.torque, s3.torque, difference);
+/// Adds force and torque, already scaled and offset, of all lanes. `difference` collects what in_fixed_point_range asks
+/// for; what is not in range wraps until the alarm is seen.
+template <Lanes Real>
+[[gnu::always_inline]] inline void scatter(const Vector3<Real>& force, const Vector3<Real>& torque,
+                                           const std::int32_t* index, ForceSum* sums, LaneBits<Real>& difference) {
+  for (const Real& x : {force.x, force.y, force.z, torque.x, torque.y, torque.z}) {
+    difference |= reinterpret_cast<LaneBits<Real>>(x) ^ fixed_point_offset_bits;
+  }
+  ForceSum* sum[lanes_of<Real>];
+  for (int k = 0; k < lanes_of<Real>; ++k) sum[k] = sums + index[k];
+  add_columns(force, torque, sum);
 }
 
-[[gnu::always_inline]] inline QuadVec3 to_fixed_point(const QuadVec3& v, const Quad& scale) {
+template <Lanes Real>
+[[gnu::always_inline]] inline Vector3<Real> to_fixed_point(const Vector3<Real>& v, const Real& scale) {
   return {to_fixed_point(v.x, scale), to_fixed_point(v.y, scale), to_fixed_point(v.z, scale)};
 }
-[[gnu::always_inline]] inline QuadVec3 to_fixed_point_negated(const QuadVec3& v, const Quad& scale) {
+template <Lanes Real>
+[[gnu::always_inline]] inline Vector3<Real> to_fixed_point_negated(const Vector3<Real>& v, const Real& scale) {
   return {to_fixed_point_negated(v.x, scale), to_fixed_point_negated(v.y, scale), to_fixed_point_negated(v.z, scale)};
 }
 
 /// `v` where `condition` holds, else zero.
-[[gnu::always_inline]] inline QuadVec3 where(const QuadInt& condition, const QuadVec3& v) {
-  return {select(condition, v.x, Quad{}), select(condition, v.y, Quad{}), select(condition, v.z, Quad{})};
+template <Lanes Real>
+[[gnu::always_inline]] inline Vector3<Real> where(const LaneInt<Real>& condition, const Vector3<Real>& v) {
+  return {select(condition, v.x, Real{}), select(condition, v.y, Real{}), select(condition, v.z, Real{})};
 }
 
 }  // namespace repose

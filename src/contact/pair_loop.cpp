@@ -17,6 +17,8 @@ class Prefetch {
     line_ = reinterpret_cast<const char*>(&blocks[later]);
     particles_ = fetch.of_block(later);
   }
+  /// What goes with lane `k` and the `parts - 1`th of the block ...
+  template <std::size_t parts>
   [[gnu::always_inline]] void part(std::size_t k) const {
     if (line_ == nullptr) return;
     constexpr std::size_t bytes = sizeof(ContactBlock) / parts;
@@ -27,7 +29,6 @@ class Prefetch {
   }
 
  private:
-  static constexpr std::size_t parts = block_lanes / 4;
   const ParticleRecord* records_;
   const ForceSum* sums_;
   const char* line_ = nullptr;
@@ -42,14 +43,15 @@ struct LanePairs {
   alignas(64) double distance[block_lanes], one_over_distance[block_lanes];
 };
 
+template <Lanes Real>
 [[gnu::always_inline]] inline void gather_pairs(const Prefetch& prefetch, const ParticleRecord* records,
                                                 const ContactBlock& block, LanePairs& pairs, LaneBody& first,
                                                 LaneBody& second) {
-  for (int k = 0; k < block_lanes; k += 4) {
-    prefetch.part(static_cast<std::size_t>(k / 4));
-    const QuadParticle a = gather(records, block.first + k);
-    const QuadParticle b = gather(records, block.second + k);
-    const QuadVec3 apart = a.position - b.position;
+  for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
+    prefetch.part<block_lanes / lanes_of<Real>>(static_cast<std::size_t>(k / lanes_of<Real>));
+    const LaneParticle<Real> a = gather<Real>(records, block.first + k);
+    const LaneParticle<Real> b = gather<Real>(records, block.second + k);
+    const Vector3<Real> apart = a.position - b.position;
     store(apart, pairs.apart, k);
     store(a.velocity - b.velocity, pairs.velocity, k);
     store(a.spin, pairs.first_spin, k);
@@ -64,46 +66,47 @@ struct LanePairs {
 
 /// Overlaps, effective radii and masses, lever arms. Returns the number of contacts deeper than `max_overlap` times the
 /// smaller radius.
+template <Lanes Real>
 [[gnu::always_inline]] inline std::int64_t evaluate_overlaps(const PairParameters& pair, double max_overlap,
                                                              LanePairs& pairs, LaneGeometry& contact, LaneBody& first,
                                                              LaneBody& second) {
   const double density_first = pair.density_first;
   const double density_second = pair.density_second;
-  const Quad none = {};
-  QuadInt deep = {};
-  for (int k = 0; k < block_lanes; k += 4) {
-    const Quad a = load(pairs.first_radius + k);
-    const Quad b = load(pairs.second_radius + k);
-    const Quad distance = load(pairs.distance + k);
-    const Quad gap = a + b - distance;
-    const Quad overlap = gap > none ? gap : none;
-    const Quad mass_a = sphere_mass(a, density_first);
-    const Quad mass_b = sphere_mass(b, density_second);
+  const Real none = {};
+  LaneInt<Real> deep = {};
+  for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
+    const Real a = load<Real>(pairs.first_radius + k);
+    const Real b = load<Real>(pairs.second_radius + k);
+    const Real distance = load<Real>(pairs.distance + k);
+    const Real gap = a + b - distance;
+    const Real overlap = gap > none ? gap : none;
+    const Real mass_a = sphere_mass(a, density_first);
+    const Real mass_b = sphere_mass(b, density_second);
     store(1.0 / distance, pairs.one_over_distance + k);
     store(overlap, contact.overlap + k);
     store(a * b / (a + b), contact.radius_eff + k);
     store(mass_a * mass_b / (mass_a + mass_b), contact.mass_eff + k);
     store(a - 0.5 * overlap, first.arm + k);
     store(b - 0.5 * overlap, second.arm + k);
-    const Quad smaller = a < b ? a : b;
+    const Real smaller = a < b ? a : b;
     deep += overlap > max_overlap * smaller;
   }
   return count(deep);
 }
 
-template <class Law>
+template <class Law, Lanes Real>
 [[gnu::always_inline]] inline void evaluate_velocities(const PairParameters& pair_in, double dt, const LanePairs& pairs,
                                                        const LaneBody& first, const LaneBody& second,
                                                        LaneGeometry& contact) {
   const typename Law::Parameters pair = pair_in;
-  for (int k = 0; k < block_lanes; k += 4) {
-    const QuadVec3 n = load(pairs.one_over_distance + k) * load(pairs.apart, k);
-    const QuadVec3 v = load(pairs.velocity, k);
-    const QuadVec3 spin_a = load(pairs.first_spin, k);
-    const QuadVec3 spin_b = load(pairs.second_spin, k);
-    const QuadVec3 n_v = Law::velocity_normal(pair, dt, load(pairs.apart, k), v, n);
-    const Quad v_n = dot(v, n_v);
-    const QuadVec3 turning = load(first.arm + k) * spin_a + load(second.arm + k) * spin_b;
+  for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
+    const Vector3<Real> n = load<Real>(pairs.one_over_distance + k) * load<Real>(pairs.apart, k);
+    const Vector3<Real> v = load<Real>(pairs.velocity, k);
+    const Vector3<Real> spin_a = load<Real>(pairs.first_spin, k);
+    const Vector3<Real> spin_b = load<Real>(pairs.second_spin, k);
+    const Vector3<Real> n_v = Law::velocity_normal(pair, dt, load<Real>(pairs.apart, k), v, n);
+    const Real v_n = dot(v, n_v);
+    const Vector3<Real> turning = load<Real>(first.arm + k) * spin_a + load<Real>(second.arm + k) * spin_b;
     store(n, contact.normal, k);
     store(v_n, contact.normal_velocity + k);
     store(v - v_n * n_v - cross(turning, n_v), contact.tangential_velocity, k);
@@ -112,7 +115,7 @@ template <class Law>
   }
 }
 
-template <class Law>
+template <class Law, Lanes Real>
 [[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<ContactBlock> blocks, const FetchView& fetch,
                                                           const PairParameters& pair, double dt, double max_overlap,
                                                           const ParticleRecord* records, ForceSum* sums) {
@@ -122,10 +125,10 @@ template <class Law>
   ContactAlarms alarms;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const Prefetch prefetch(blocks, fetch, k + 4, records, sums);
-    gather_pairs(prefetch, records, blocks[k], pairs, first, second);
-    alarms.too_deep += evaluate_overlaps(pair, max_overlap, pairs, contact, first, second);
-    evaluate_velocities<Law>(pair, dt, pairs, first, second, contact);
-    const std::uint64_t difference = evaluate_law<Law>(pair, dt, contact, first, &second, blocks[k], sums);
+    gather_pairs<Real>(prefetch, records, blocks[k], pairs, first, second);
+    alarms.too_deep += evaluate_overlaps<Real>(pair, max_overlap, pairs, contact, first, second);
+    evaluate_velocities<Law, Real>(pair, dt, pairs, first, second, contact);
+    const std::uint64_t difference = evaluate_law<Law, Real>(pair, dt, contact, first, &second, blocks[k], sums);
     alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
   }
   return alarms;
@@ -137,8 +140,8 @@ ContactAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, 
                              const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
                              ForceSum* sums) {
   return with_law(pair, [&](auto law) {
-    return at_level(level, [&]() REPOSE_INLINE {
-      return evaluate_body<decltype(law)>(blocks, fetch, pair, dt, max_overlap, records, sums);
+    return at_level(level, [&](auto lanes) REPOSE_INLINE {
+      return evaluate_body<decltype(law), LanesOf<lanes()>>(blocks, fetch, pair, dt, max_overlap, records, sums);
     });
   });
 }

@@ -31,57 +31,58 @@ struct LaneWalls {
 }
 
 /// Lanes from `used` on, and parked particles, get a distance at which they do not touch.
-template <bool may_move, class FaceShape>
+template <Lanes Real, bool may_move, class FaceShape>
 [[gnu::always_inline]] inline void touch_face(const FaceShape& face_in, const Placement* placement, std::size_t used,
                                               const ParticleRecord* records, const ContactBlock& block,
                                               LaneWalls& walls) {
   const FaceShape face = face_in;
   const auto lanes = static_cast<std::int64_t>(used);
-  for (int k = 0; k < block_lanes; k += 4) {
-    const QuadParticle p = gather(records, block.first + k);
+  for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
+    const LaneParticle<Real> p = gather<Real>(records, block.first + k);
     const bool has_travelled = may_move && placement != nullptr;
-    BasicFaceTouch<Quad> at = touch(face, has_travelled ? placement->back(p.position) : p.position);
+    BasicFaceTouch<Real> at = touch(face, has_travelled ? placement->back(p.position) : p.position);
     if (has_travelled) at.normal = placement->turn(at.normal);
-    const QuadInt lane = QuadInt{0, 1, 2, 3} + k;
-    const QuadInt here = (lane < lanes) & (p.position.x < broadcast<Quad>(parking_distance));
+    const LaneInt<Real> lane = lane_numbers<Real>() + k;
+    const LaneInt<Real> here = (lane < lanes) & (p.position.x < broadcast<Real>(parking_distance));
     store(at.normal, walls.normal, k);
     store(select(here, at.distance, p.radius), walls.distance + k);
   }
 }
 
 /// Velocity and spin of particles relative to a wall's surface.
+template <Lanes Real>
 struct SeenFromWall {
-  QuadVec3 velocity;  ///< at the touched point, the particle's spin left out
-  QuadVec3 spin;
+  Vector3<Real> velocity;  ///< at the touched point, the particle's spin left out
+  Vector3<Real> spin;
 };
 
-template <bool may_move>
-[[gnu::always_inline]] inline SeenFromWall see_from(const SurfaceMotion* surface, const QuadParticle& p,
-                                                    const Quad& distance, const QuadVec3& n) {
+template <Lanes Real, bool may_move>
+[[gnu::always_inline]] inline SeenFromWall<Real> see_from(const SurfaceMotion* surface, const LaneParticle<Real>& p,
+                                                          const Real& distance, const Vector3<Real>& n) {
   if (!may_move || surface == nullptr) return {p.velocity, p.spin};
-  const auto turning = broadcast<Quad>(surface->angular_velocity);
-  const QuadVec3 touched = p.position - distance * n;
-  return {p.velocity - (broadcast<Quad>(surface->velocity) + cross(turning, touched)), p.spin - turning};
+  const auto turning = broadcast<Real>(surface->angular_velocity);
+  const Vector3<Real> touched = p.position - distance * n;
+  return {p.velocity - (broadcast<Real>(surface->velocity) + cross(turning, touched)), p.spin - turning};
 }
 
 /// Returns the number of contacts deeper than the bound.
-template <class Law, bool may_move>
+template <class Law, Lanes Real, bool may_move>
 [[gnu::always_inline]] inline std::int64_t evaluate_geometry(const WallLaw& law, const ParticleRecord* records,
                                                              const ContactBlock& block, const LaneWalls& walls,
                                                              LaneGeometry& contact, LaneBody& body) {
   const double density = law.pair.density_first;
   const double max_overlap = law.max_overlap;
-  const Quad none = {};
-  QuadInt deep = {};
-  for (int k = 0; k < block_lanes; k += 4) {
-    const QuadParticle p = gather(records, block.first + k);
-    const Quad distance = load(walls.distance + k);
-    const QuadVec3 n = load(walls.normal, k);
-    const SeenFromWall seen = see_from<may_move>(law.surface, p, distance, n);
-    const Quad gap = p.radius - distance;
-    const Quad overlap = gap > none ? gap : none;
-    const Quad arm = p.radius - 0.5 * overlap;
-    const Quad v_n = dot(seen.velocity, n);
+  const Real none = {};
+  LaneInt<Real> deep = {};
+  for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
+    const LaneParticle<Real> p = gather<Real>(records, block.first + k);
+    const Real distance = load<Real>(walls.distance + k);
+    const Vector3<Real> n = load<Real>(walls.normal, k);
+    const SeenFromWall<Real> seen = see_from<Real, may_move>(law.surface, p, distance, n);
+    const Real gap = p.radius - distance;
+    const Real overlap = gap > none ? gap : none;
+    const Real arm = p.radius - 0.5 * overlap;
+    const Real v_n = dot(seen.velocity, n);
     store(n, contact.normal, k);
     store(overlap, contact.overlap + k);
     store(p.radius, contact.radius_eff + k);
@@ -98,18 +99,18 @@ template <class Law, bool may_move>
   return count(deep);
 }
 
-template <class Law, bool may_move>
+template <class Law, Lanes Real, bool may_move>
 [[gnu::always_inline]] inline void evaluate_block(const WallLaw& law, const LaneWalls& walls,
                                                   const ParticleRecord* records, ContactBlock& block, ForceSum* sums,
                                                   ContactAlarms& alarms) {
   LaneGeometry contact;
   LaneBody body;
-  alarms.too_deep += evaluate_geometry<Law, may_move>(law, records, block, walls, contact, body);
-  const std::uint64_t difference = evaluate_law<Law>(law.pair, law.dt, contact, body, nullptr, block, sums);
+  alarms.too_deep += evaluate_geometry<Law, Real, may_move>(law, records, block, walls, contact, body);
+  const std::uint64_t difference = evaluate_law<Law, Real>(law.pair, law.dt, contact, body, nullptr, block, sums);
   alarms.out_of_range += in_fixed_point_range(difference) ? 0 : 1;
 }
 
-template <class Law, bool may_move>
+template <class Law, Lanes Real, bool may_move>
 [[gnu::always_inline]] inline ContactAlarms evaluate_body(const WallLaw& law_in, std::span<WallContact> contacts,
                                                           std::span<const std::int32_t> chosen,
                                                           const ParticleRecord* records, ForceSum* sums) {
@@ -120,7 +121,7 @@ template <class Law, bool may_move>
   for (std::size_t begin = 0; begin < chosen.size(); begin += block_lanes) {
     const auto lanes = chosen.subspan(begin, std::min<std::size_t>(block_lanes, chosen.size() - begin));
     gather_contacts(contacts, lanes, records, block, walls);
-    evaluate_block<Law, may_move>(law, walls, records, block, sums, alarms);
+    evaluate_block<Law, Real, may_move>(law, walls, records, block, sums, alarms);
     for (std::size_t k = 0; k < lanes.size(); ++k) {
       contacts[static_cast<std::size_t>(lanes[k])].history = history(block, k);
     }
@@ -128,7 +129,7 @@ template <class Law, bool may_move>
   return alarms;
 }
 
-template <class Law, bool may_move, class FaceShape>
+template <class Law, Lanes Real, bool may_move, class FaceShape>
 [[gnu::always_inline]] inline ContactAlarms evaluate_face(const WallLaw& law_in, const FaceShape& face,
                                                           FaceGroup& group, const ParticleRecord* records,
                                                           ForceSum* sums) {
@@ -140,8 +141,8 @@ template <class Law, bool may_move, class FaceShape>
     if (n + 1 < group.blocks.size()) {
       for (const std::int32_t particle : group.blocks[n + 1].first) fetch_ahead(particle, records, sums);
     }
-    touch_face<may_move>(face, law.placement, group.lanes - n * block_lanes, records, block, walls);
-    evaluate_block<Law, may_move>(law, walls, records, block, sums, alarms);
+    touch_face<Real, may_move>(face, law.placement, group.lanes - n * block_lanes, records, block, walls);
+    evaluate_block<Law, Real, may_move>(law, walls, records, block, sums, alarms);
   }
   return alarms;
 }
@@ -163,8 +164,8 @@ auto with_wall_law(const WallLaw& law, const Body& body) {
 ContactAlarms evaluate_walls(VectorLevel level, const WallLaw& law, std::span<WallContact> contacts,
                              std::span<const std::int32_t> chosen, const ParticleRecord* records, ForceSum* sums) {
   return with_wall_law(law, [&](auto pair_law, auto may_move) {
-    return at_level(level, [&]() REPOSE_INLINE {
-      return evaluate_body<decltype(pair_law), may_move()>(law, contacts, chosen, records, sums);
+    return at_level(level, [&](auto lanes) REPOSE_INLINE {
+      return evaluate_body<decltype(pair_law), LanesOf<lanes()>, may_move()>(law, contacts, chosen, records, sums);
     });
   });
 }
@@ -174,8 +175,8 @@ ContactAlarms evaluate_faces(VectorLevel level, const WallLaw& law, FaceGroup& g
   return with_wall_law(law, [&](auto pair_law, auto may_move) {
     return std::visit(
         [&](const auto& face) {
-          return at_level(level, [&]() REPOSE_INLINE {
-            return evaluate_face<decltype(pair_law), may_move()>(law, face, group, records, sums);
+          return at_level(level, [&](auto lanes) REPOSE_INLINE {
+            return evaluate_face<decltype(pair_law), LanesOf<lanes()>, may_move()>(law, face, group, records, sums);
           });
         },
         group.face);

@@ -16,7 +16,7 @@
 /// checked without the scene.
 namespace repose {
 
-struct Deck {
+struct Deck : MeasurementDecks {
   RunDeck run;
   Vec3 gravity{0.0, 0.0, -9.81};
   DomainDeck domain;
@@ -28,12 +28,7 @@ struct Deck {
   std::vector<ParticlesDeck> particles;  ///< [[particles]]
   TiltDeck tilt;
   TimeDeck time;
-  std::vector<PhaseDeck> phases;      ///< [[phase]]
-  DischargeDeck discharge;            ///< [measurement.discharge]
-  AngleOfReposeDeck angle_of_repose;  ///< [measurement.angle_of_repose]
-  ScatteringDeck scattering;          ///< [measurement.scattering]
-  TiltOnsetDeck tilt_onset;           ///< [measurement.tilt_onset]
-  SurfaceAngleDeck surface_angle;     ///< [measurement.surface_angle]
+  std::vector<PhaseDeck> phases;  ///< [[phase]]
   OutputDeck output;
   GuardsDeck guards;
   NeighboursDeck neighbours;
@@ -55,13 +50,7 @@ void describe(V& v, Deck& d) {
   v.section("tilt", d.tilt, optional, "tilts the apparatus: gravity turns the other way");
   v.section("time", d.time, optional, "the time step");
   v.sections("phase", d.phases, required, "a stage of the run; the phases follow each other");
-  v.group("measurement", [&d](V& g) {
-    g.section("discharge", d.discharge, optional, "measure the mass that leaves an orifice");
-    g.section("angle_of_repose", d.angle_of_repose, optional, "measure the slope of the pile from its side view");
-    g.section("scattering", d.scattering, optional, "count the grains that lie around the pile, seen from above");
-    g.section("tilt_onset", d.tilt_onset, optional, "measure the tilt at which a particle begins to move");
-    g.section("surface_angle", d.surface_angle, optional, "measure the slope of the bed in a rotating drum");
-  });
+  v.group("measurement", [&d](V& g) { describe_measurements(g, d); });
   v.section("output", d.output, optional, "what is written and when");
   v.section("guards", d.guards, optional, "bounds that stop the run when the physics breaks");
   v.section("neighbours", d.neighbours, optional, "search and balance; they change the speed, never the result");

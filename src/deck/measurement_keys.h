@@ -142,4 +142,22 @@ void describe(V& v, SurfaceAngleDeck& s) {
     "half width of the fitted part of the surface about the axis, share of the radius");
 }
 
+/// The sections below [measurement.
+struct MeasurementDecks {
+  DischargeDeck discharge;
+  AngleOfReposeDeck angle_of_repose;
+  ScatteringDeck scattering;
+  TiltOnsetDeck tilt_onset;
+  SurfaceAngleDeck surface_angle;
+};
+
+template <class V>
+void describe_measurements(V& v, MeasurementDecks& d) {
+  v.section("discharge", d.discharge, optional, "measure the mass that leaves an orifice");
+  v.section("angle_of_repose", d.angle_of_repose, optional, "measure the slope of the pile from its side view");
+  v.section("scattering", d.scattering, optional, "count the grains that lie around the pile, seen from above");
+  v.section("tilt_onset", d.tilt_onset, optional, "measure the tilt at which a particle begins to move");
+  v.section("surface_angle", d.surface_angle, optional, "measure the slope of the bed in a rotating drum");
+}
+
 }  // namespace repose

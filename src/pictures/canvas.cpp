@@ -1,8 +1,10 @@
 #include "pictures/canvas.h"
 
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
@@ -16,8 +18,8 @@ namespace {
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-constexpr double fineness = 2.0;          // pixels of the image in one of the picture
-constexpr std::size_t most_discs = 6000;  // in PDF and SVG: 3 MB of text
+constexpr double fineness = 2.0;          // pixels of the discs' image in one of the picture
+constexpr std::size_t most_discs = 6000;  // as circles: 0.2 MB of PDF, 1.6 MB of SVG
 
 void check(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
@@ -29,25 +31,29 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-bool has_pixels(cairo_t* context) {
-  return cairo_surface_get_type(cairo_get_target(context)) == CAIRO_SURFACE_TYPE_IMAGE;
-}
+/// One drawing for all formats.
+struct Drawing {
+  double width;
+  double height;
+  const std::function<void(Canvas&)>& draw;
+  SharedImage discs;
 
-void draw_on(cairo_surface_t* surface, double width, double height, const std::function<void(Canvas&)>& draw) {
-  const Context context(cairo_create(surface), cairo_destroy);
-  Canvas canvas(context.get(), width, height);
-  canvas.rectangle({0.0, 0.0}, {width, height}, {255, 255, 255});
-  draw(canvas);
-  check(cairo_status(context.get()));
-}
+  void on(cairo_surface_t* surface) {
+    check(cairo_surface_status(surface));
+    const Context context(cairo_create(surface), cairo_destroy);
+    Canvas canvas(context.get(), width, height, discs);
+    canvas.rectangle({0.0, 0.0}, {width, height}, {255, 255, 255});
+    draw(canvas);
+    check(cairo_status(context.get()));
+  }
+};
 
 /// The bytes of a format that is written to a stream.
 template <class Create>
-std::string vector_bytes(double width, double height, const std::function<void(Canvas&)>& draw, const Create& create) {
+std::string vector_bytes(Drawing& drawing, const Create& create) {
   std::string bytes;
-  const Surface surface(create(append, &bytes, width, height), cairo_surface_destroy);
-  check(cairo_surface_status(surface.get()));
-  draw_on(surface.get(), width, height, draw);
+  const Surface surface(create(append, &bytes, drawing.width, drawing.height), cairo_surface_destroy);
+  drawing.on(surface.get());
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()));
   return bytes;
@@ -57,6 +63,15 @@ cairo_surface_t* undated_pdf(cairo_write_func_t write, void* closure, double wid
   cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(write, closure, width, height);
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
   return surface;
+}
+
+/// What the font can draw of a text. Without any font on the machine Cairo's own knows ASCII alone.
+std::string drawable(cairo_t* context, std::string text) {
+  if (cairo_scaled_font_get_type(cairo_get_scaled_font(context)) != CAIRO_FONT_TYPE_USER) return text;
+  for (const auto& [sign, ascii] : {std::pair("°", " deg"), std::pair("±", "+-")}) {
+    for (std::size_t at; (at = text.find(sign)) != std::string::npos;) text.replace(at, std::strlen(sign), ascii);
+  }
+  return text;
 }
 
 }  // namespace
@@ -105,52 +120,50 @@ void Canvas::choose_font(double size) {
   cairo_set_font_size(context_, size);
 }
 
-double Canvas::text_width(const std::string& text, double size) {
-  choose_font(size);
-  cairo_text_extents_t extents;
-  cairo_text_extents(context_, text.c_str(), &extents);
-  return extents.x_advance;
-}
-
 void Canvas::text(Pixel at, const std::string& text, double size, Colour colour, Align align) {
+  choose_font(size);
+  const std::string drawn = drawable(context_, text);
+  cairo_text_extents_t extents;
+  cairo_text_extents(context_, drawn.c_str(), &extents);
   const double share = align == Align::left ? 0.0 : align == Align::centre ? 0.5 : 1.0;
-  const double shift = share * text_width(text, size);
   set(colour);
-  cairo_move_to(context_, at.x - shift, at.y);
-  cairo_show_text(context_, text.c_str());
+  cairo_move_to(context_, at.x - share * extents.x_advance, at.y);
+  cairo_show_text(context_, drawn.c_str());
   cairo_new_path(context_);  // it leaves its end behind
 }
 
 void Canvas::many_discs(std::size_t count, const std::function<void(Canvas&)>& draw) {
-  if (has_pixels(context_) || count <= most_discs) {
+  if (count <= most_discs) {
     draw(*this);
     return;
   }
-  const Surface image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(std::ceil(fineness * width_)),
-                                                 static_cast<int>(std::ceil(fineness * height_))),
-                      cairo_surface_destroy);
-  check(cairo_surface_status(image.get()));
-  const Context context(cairo_create(image.get()), cairo_destroy);
-  cairo_scale(context.get(), fineness, fineness);
-  Canvas pixels(context.get(), width_, height_);
-  draw(pixels);
-  check(cairo_status(context.get()));
+  if (!discs_) {
+    discs_.reset(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(std::ceil(fineness * width_)),
+                                            static_cast<int>(std::ceil(fineness * height_))),
+                 cairo_surface_destroy);
+    check(cairo_surface_status(discs_.get()));
+    const Context context(cairo_create(discs_.get()), cairo_destroy);
+    cairo_scale(context.get(), fineness, fineness);
+    Canvas pixels(context.get(), width_, height_, discs_);
+    draw(pixels);
+    check(cairo_status(context.get()));
+  }
   cairo_save(context_);
   cairo_scale(context_, 1.0 / fineness, 1.0 / fineness);
-  cairo_set_source_surface(context_, image.get(), 0.0, 0.0);
+  cairo_set_source_surface(context_, discs_.get(), 0.0, 0.0);
   cairo_paint(context_);
   cairo_restore(context_);
 }
 
 Picture make_picture(double width, double height, const std::function<void(Canvas&)>& draw) {
+  Drawing drawing{.width = width, .height = height, .draw = draw, .discs = {}};
   Picture picture;
   const Surface image(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)),
                       cairo_surface_destroy);
-  check(cairo_surface_status(image.get()));
-  draw_on(image.get(), width, height, draw);
+  drawing.on(image.get());
   check(cairo_surface_write_to_png_stream(image.get(), append, &picture.png));
-  picture.pdf = vector_bytes(width, height, draw, undated_pdf);
-  picture.svg = vector_bytes(width, height, draw, cairo_svg_surface_create_for_stream);
+  picture.pdf = vector_bytes(drawing, undated_pdf);
+  picture.svg = vector_bytes(drawing, cairo_svg_surface_create_for_stream);
   return picture;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,14 @@ struct Pixel {
 /// Where a text stands about its place.
 enum class Align { left, centre, right };
 
+/// Pixels that the formats of a picture share; empty until they are drawn.
+using SharedImage = std::shared_ptr<cairo_surface_t>;
+
 /// What can be drawn on a picture, in any of its formats. What lies outside is not drawn.
 class Canvas {
  public:
-  Canvas(cairo_t* context, double width, double height) : context_(context), width_(width), height_(height) {}
+  Canvas(cairo_t* context, double width, double height, SharedImage& discs)
+      : context_(context), width_(width), height_(height), discs_(discs) {}
 
   void disc(Pixel centre, double radius, Colour colour);
   /// The line of a circle.
@@ -35,12 +40,12 @@ class Canvas {
   /// Lines from point to point.
   void polyline(const std::vector<Pixel>& points, double thickness, Colour colour);
   void dashed_line(Pixel from, Pixel to, double thickness, double dash, Colour colour);
-  /// Text in UTF-8 whose letters are `size` high with their base line at y.
+  /// Text in UTF-8 in a font of this size, with its base line at y. Where there is no font Cairo has letters of its
+  /// own, and degrees and plus-minus are written in them.
   void text(Pixel at, const std::string& text, double size, Colour colour, Align align = Align::left);
-  double text_width(const std::string& text, double size);
 
-  /// Draws so many discs, which may be image pixels also where the format knows circles: tens of thousands would make
-  /// files that no viewer likes. Twice as fine as the PNG. FileError when there is no memory for them.
+  /// Draws so many discs, once in a picture. From some thousands on they are pixels in PDF and SVG too, twice as fine
+  /// as the PNG: as circles they would make files that no viewer likes. FileError when there is no memory for them.
   void many_discs(std::size_t count, const std::function<void(Canvas&)>& draw);
 
   double width() const { return width_; }
@@ -53,6 +58,7 @@ class Canvas {
   cairo_t* context_;
   double width_;
   double height_;
+  SharedImage& discs_;
 };
 
 /// The same picture in three formats: the bytes of the files.

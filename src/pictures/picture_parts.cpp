@@ -19,7 +19,7 @@ void draw_scale_bar(Canvas& canvas, Pixel at, double pixels_per_metre) {
   const double end = at.x + length * pixels_per_metre;
   canvas.line(at, {end, at.y}, 2.0, ink);
   for (const double x : {at.x, end}) canvas.line({x, at.y - 7.0}, {x, at.y + 7.0}, 2.0, ink);
-  canvas.text({end + 14.0, at.y + 6.5}, fmt::format("{:g} mm", 1e3 * length), small, ink);
+  canvas.text({end + 14.0, at.y + 0.36 * small(canvas)}, fmt::format("{:g} mm", 1e3 * length), small(canvas), ink);
 }
 
 }  // namespace repose

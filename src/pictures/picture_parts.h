@@ -5,8 +5,9 @@
 /// What the pictures of a pile have in common.
 namespace repose {
 
-inline constexpr double large = 26.0;  ///< size of a text
-inline constexpr double small = 18.0;
+/// Sizes of texts, which in a figure of 16 cm are letters of 11 and 7.5 points.
+inline double large(const Canvas& canvas) { return canvas.width() / 40.0; }
+inline double small(const Canvas& canvas) { return canvas.width() / 60.0; }
 
 inline constexpr Colour ink{40, 44, 52};
 inline constexpr Colour grey{150, 154, 160};

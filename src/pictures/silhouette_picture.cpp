@@ -12,7 +12,7 @@ namespace {
 
 constexpr double picture_width = 1200.0;
 constexpr double margin = 60.0;
-constexpr double header = 150.0;
+constexpr double header = 160.0;
 constexpr double footer = 80.0;
 constexpr double tallest_drawing = 1600.0;
 constexpr Colour outline_colour{30, 90, 160};
@@ -92,12 +92,12 @@ void draw_angles(Canvas& canvas, const AngleOfRepose& result) {
       std::isnan(result.stderr_deg)
           ? fmt::format("mean {:.1f}° (1 view)", result.mean_deg)
           : fmt::format("mean {:.1f}° ± {:.1f}° ({} views)", result.mean_deg, result.stderr_deg, result.views.size());
-  canvas.text({margin, 125.0}, fmt::format("left {:.1f}°", view.left.angle_deg), large, line_colour);
-  canvas.text({picture_width - margin, 125.0}, fmt::format("right {:.1f}°", view.right.angle_deg), large, line_colour,
-              Align::right);
-  canvas.text({centre, 48.0}, "Angle of repose: " + summary, large, ink, Align::centre);
-  canvas.text({centre, 82.0}, "outline and lines: view from azimuth 0°, fitted between the dashed heights", small, grey,
-              Align::centre);
+  canvas.text({margin, 134.0}, fmt::format("Left {:.1f}°", view.left.angle_deg), large(canvas), line_colour);
+  canvas.text({picture_width - margin, 134.0}, fmt::format("Right {:.1f}°", view.right.angle_deg), large(canvas),
+              line_colour, Align::right);
+  canvas.text({centre, 50.0}, "Angle of repose: " + summary, large(canvas), ink, Align::centre);
+  canvas.text({centre, 86.0}, "Outline and lines: view from azimuth 0°, fitted between the dashed heights",
+              small(canvas), grey, Align::centre);
 }
 
 void draw_plate(Canvas& canvas, const Frame& frame) {
@@ -106,7 +106,7 @@ void draw_plate(Canvas& canvas, const Frame& frame) {
   const Colour white{255, 255, 255};
   canvas.line({0.0, y + footer}, {picture_width, y + footer}, 2.0 * footer, white);
   canvas.line({0.0, y + 2.0}, {picture_width, y + 2.0}, 4.0, ink);
-  draw_scale_bar(canvas, {margin, y + 40.0}, frame.pixels_per_metre);
+  draw_scale_bar(canvas, {margin, y + 42.0}, frame.pixels_per_metre);
 }
 
 }  // namespace

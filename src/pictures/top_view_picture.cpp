@@ -13,8 +13,8 @@ namespace {
 constexpr double picture_width = 1600.0;
 constexpr double tallest_drawing = 2400.0;
 constexpr double margin = 50.0;
-constexpr double header = 130.0;
-constexpr double footer = 70.0;
+constexpr double header = 150.0;
+constexpr double footer = 85.0;
 
 constexpr Colour plate_colour{232, 234, 237};
 constexpr Colour pile_colour{88, 84, 80};
@@ -100,12 +100,12 @@ std::string count_text(const char* name, const AreaCount& area) {
 void draw_counts(Canvas& canvas, const Scattering& result) {
   const double centre = 0.5 * picture_width;
   const double right = picture_width - margin;
-  canvas.text({margin, 48.0}, fmt::format("Base {:.1f} mm", 2e3 * result.base_radius), large, ink);
-  canvas.text({right, 48.0}, fmt::format("Off the plate: {}", result.off_plate), large, ink, Align::right);
-  canvas.text({margin, 98.0}, count_text("Area 1", result.area_1), large, area_1_colour);
-  canvas.text({centre, 98.0}, result.area_2 ? count_text("Area 2", *result.area_2) : "No area 2", large, area_2_colour,
-              Align::centre);
-  canvas.text({right, 98.0}, count_text("Area 3", result.area_3), large, area_3_colour, Align::right);
+  canvas.text({margin, 52.0}, fmt::format("Base {:.1f} mm", 2e3 * result.base_radius), large(canvas), ink);
+  canvas.text({right, 52.0}, fmt::format("Off the plate: {}", result.off_plate), large(canvas), ink, Align::right);
+  canvas.text({margin, 108.0}, count_text("Area 1", result.area_1), large(canvas), area_1_colour);
+  canvas.text({centre, 108.0}, result.area_2 ? count_text("Area 2", *result.area_2) : "No area 2", large(canvas),
+              area_2_colour, Align::centre);
+  canvas.text({right, 108.0}, count_text("Area 3", result.area_3), large(canvas), area_3_colour, Align::right);
 }
 
 /// What lies or stands out beyond the plate's edge is covered, where the texts come.
@@ -129,7 +129,7 @@ Picture top_view_picture(const ScatteringDeck& deck, const Scattering& result, s
     draw_circles(canvas, frame, deck, result);
     cover_surroundings(canvas, low, high);
     draw_counts(canvas, result);
-    draw_scale_bar(canvas, {margin, high.y + 40.0}, frame.pixels_per_metre);
+    draw_scale_bar(canvas, {margin, high.y + 48.0}, frame.pixels_per_metre);
   });
 }
 

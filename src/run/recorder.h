@@ -14,8 +14,8 @@
 #include "output/time_series.h"
 #include "output/trace.h"
 #include "run/measurements/measurement.h"
-#include "run/phases.h"
 #include "run/wall_load_series.h"
+#include "simulation/phases.h"
 #include "simulation/simulation.h"
 
 namespace repose {

@@ -1,6 +1,6 @@
 #include "run/run_plan.h"
 
-#include "run/phases.h"
+#include "simulation/phases.h"
 #include "simulation/setup.h"
 
 namespace repose {

@@ -5,7 +5,7 @@
 #include "deck/read_deck.h"
 #include "files/shared_file.h"
 #include "measurement/state_hash.h"
-#include "run/phases.h"
+#include "simulation/phases.h"
 #include "simulation/simulation.h"
 
 namespace repose::test {

@@ -7,7 +7,7 @@
 #include "deck/read_deck.h"
 #include "measurement/state_hash.h"
 #include "measurement/wall_loads.h"
-#include "run/phases.h"
+#include "simulation/phases.h"
 #include "simulation/simulation.h"
 
 namespace repose::test {

@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "measurement/state_hash.h"
-#include "run/phases.h"
 #include "scene/particles/sphere_mass.h"
+#include "simulation/phases.h"
 #include "simulation/simulation.h"
 #include "support/scenes.h"
 

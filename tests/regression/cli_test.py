@@ -155,7 +155,7 @@ class CommandLine(FolderTest):
         self.assertLess(s["angle_of_repose_deg"], 40.0)
         mean = 0.5 * (s["angle_of_repose_left_deg"] + s["angle_of_repose_right_deg"])
         self.assertAlmostEqual(s["angle_of_repose_deg"], mean, places=9)
-        for name in ("silhouette.png", "run.hdf.series", "deck.resolved.toml"):
+        for name in ("silhouette.png", "silhouette.pdf", "silhouette.svg", "run.hdf.series", "deck.resolved.toml"):
             self.assertTrue(os.path.getsize(os.path.join(output, name)) > 0, name)
         series = json.loads(pathlib.Path(output, "run.hdf.series").read_text())
         for file in series["files"]:

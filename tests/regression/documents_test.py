@@ -8,6 +8,7 @@ Usage: documents_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 """
 
 import glob
+import json
 import os
 import re
 import shlex
@@ -231,6 +232,14 @@ def check_python(workshop, path):
         assert workshop.say([sys.executable, "-c", example]).strip(), f"an example prints nothing:\n{example}"
 
 
+def check_summary_keys(workshop, readme):
+    """The README names every key of summary.json."""
+    with open(os.path.join(workshop.folder, "results/discharge_quick/summary.json")) as summary, open(readme) as document:
+        text = document.read()
+        missing = [key for key in json.load(summary) if f"`{key}`" not in text]
+    assert not missing, f"README.md lacks these keys of summary.json: {missing}"
+
+
 def main():
     source = os.path.abspath(sys.argv[3])
     guide = os.path.join(source, "docs", "user-guide.md")
@@ -238,6 +247,7 @@ def main():
         workshop = Workshop(sys.argv[1], sys.argv[2], source, folder)
         check_first_deck(workshop, guide)
         check_python(workshop, guide)
+        check_summary_keys(workshop, os.path.join(source, "README.md"))
         documents = [os.path.join(source, "README.md"), guide, *sorted(set(glob.glob(os.path.join(source, "docs", "*.md"))) - {guide})]
         documents += sorted(glob.glob(os.path.join(source, "benchmarks", "*", "README.md")))
         for path in documents:

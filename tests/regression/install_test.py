@@ -134,7 +134,7 @@ class Install(unittest.TestCase):
         """What the Tab key offers for the last of the words."""
         script = 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _repose; printf "%s\\n" "${COMPREPLY[@]}"'
         completion = self.path("share/bash-completion/completions/repose")
-        return set(said("bash", "-c", script, "bash", completion, "repose", *words, cwd=folder).split())
+        return set(said("bash", "-c", script, "bash", completion, self.path("bin/repose"), *words, cwd=folder).split())
 
     def test_the_completion_has_the_command_line(self):
         for name, command in self.commands.items():

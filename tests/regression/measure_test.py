@@ -9,8 +9,10 @@ import json
 import math
 import os
 import random
+import re
 import sys
 import unittest
+import zlib
 
 import h5py
 
@@ -27,7 +29,34 @@ REDUCED = ("particles.0.mass=0.4 g", "particles.0.radius=4 mm", "particles.0.hei
 PLATE_HEIGHT = -0.04  # of the deck as it is
 PILE_FIGURES = ("angle_of_repose_deg", "angle_of_repose_left_deg", "angle_of_repose_right_deg",
                 "angle_of_repose_stderr_deg", "pile_height_m", "scattering")
+PICTURES = [f"{name}.{ending}" for name in ("silhouette", "top_view") for ending in ("png", "pdf", "svg")]
+FORMATS = {"png": b"\x89PNG\r\n\x1a\n", "pdf": b"%PDF-", "svg": b"<?xml"}
 RADIUS = 0.22e-3
+
+
+def pictures_in(folder):
+    """Their names; each has to begin as its format does."""
+    names = sorted(name for name in os.listdir(folder) if name.split(".")[-1] in FORMATS)
+    for name in names:
+        with open(os.path.join(folder, name), "rb") as file:
+            beginning = FORMATS[name.split(".")[-1]]
+            assert file.read(len(beginning)) == beginning, f"{name} is no such picture"
+    return names
+
+
+def letters_of_pdf(path):
+    """Those that its fonts draw, by the tables from their glyphs to Unicode."""
+    with open(path, "rb") as file:
+        streams = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", file.read(), re.DOTALL)
+    letters = set()
+    for stream in streams:
+        try:
+            text = zlib.decompress(stream)
+        except zlib.error:
+            continue
+        if b"begincmap" in text:
+            letters |= {chr(int(code, 16)) for code in re.findall(rb"^<[0-9a-f]+> <([0-9a-f]{4})>$", text, re.M)}
+    return letters
 
 
 def sets(overrides):
@@ -80,8 +109,7 @@ class Measure(FolderTest):
         self.assertGreater(counts[2], 3)
         self.assertEqual(s["area_1_widened"][1]["count"], sum(counts))
         self.assertEqual(s["off_plate"], run["particles"]["left"])
-        for picture in ("silhouette.png", "top_view.png"):
-            self.assertGreater(os.path.getsize(self.path("run/" + picture)), 1000)
+        self.assertEqual(pictures_in(self.path("run")), sorted(PICTURES))
 
         snapshot = self.path(f"run/run_{run['steps']:010d}.hdf")
         for ranks in (0, 2):
@@ -91,7 +119,7 @@ class Measure(FolderTest):
             self.assertEqual(again["left"], run["particles"]["left"])
             self.assertAlmostEqual(again["retained_mass_kg"] / run["retained_mass_kg"], 1.0, delta=1e-9)
             self.assertIn(f"grains on area 1 {counts[0]} +- ", text)
-            for name in ("silhouette.png", "top_view.png"):
+            for name in (n for n in PICTURES if not n.endswith(".svg")):  # Cairo numbers its parts on through a process
                 with open(self.path("run/" + name), "rb") as one, open(self.path("measured/" + name), "rb") as other:
                     self.assertEqual(one.read(), other.read(), name)
         self.assertEqual(again["discharged_mass_kg"] < run["discharged_mass_kg"], run["particles"]["left"] > 0)
@@ -133,7 +161,38 @@ class Measure(FolderTest):
         self.assertIn("no pile", text)
         for key in PILE_FIGURES:
             self.assertIsNone(m[key], key)
-        self.assertFalse(glob.glob(self.path("measured/*.png")))
+        self.assertEqual(pictures_in(self.path("measured")), [])
+
+    def test_pictures_in_three_formats(self):
+        cone = write_csv(self.path("cone.csv"), rings_of_a_cone(5e-3, 30.0))
+        for name, signs in (("with_fonts", {"°", "±"}), ("without_fonts", set())):
+            with open(self.path("none.conf"), "w") as file:
+                file.write("<fontconfig></fontconfig>")
+            env = {} if signs else {"FONTCONFIG_FILE": self.path("none.conf")}
+            done = self.program.call("measure", cone, "--deck", self.deck, "--output", self.path(name), env=env)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(pictures_in(self.path(name)), sorted(PICTURES))
+            letters = letters_of_pdf(self.path(f"{name}/silhouette.pdf"))
+            self.assertTrue(set("Angleofps:0123456789") - letters <= set("0123456789"), letters)
+            # Without a font Cairo draws these two as boxes.
+            self.assertEqual({"°", "±"} & letters, signs)
+            if not signs:
+                self.assertTrue(set("deg+-") <= letters, letters)
+
+    def test_a_picture_that_cannot_be_replaced(self):
+        cone = write_csv(self.path("cone.csv"), rings_of_a_cone(5e-3, 30.0))
+        os.makedirs(self.path("measured/top_view.svg/not_empty"))
+        self.fails(4, "measured/top_view.svg: ", "measure", cone, "--deck", self.deck, "--output", self.path("measured"))
+        self.assertFalse(glob.glob(self.path("measured/*.partial")))
+
+    def test_pictures_of_an_earlier_run_go(self):
+        os.mkdir(self.path("run"))
+        for name in PICTURES:
+            with open(self.path("run/" + name), "w") as file:
+                file.write("of an earlier run")
+        self.program.run(self.deck, self.path("run"), *REDUCED, "phase.settle.min_time=0.1 ms", "phase.settle.max_time=0.1 ms",
+                         "phase.discharge.min_time=0.1 ms", "phase.discharge.max_time=0.1 ms")
+        self.assertEqual(pictures_in(self.path("run")), [])
 
     def test_what_is_refused(self):
         cone = write_csv(self.path("cone.csv"), rings_of_a_cone(5e-3, 30.0))

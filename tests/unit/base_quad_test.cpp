@@ -49,5 +49,42 @@ TEST(Quad, TransposesRowsIntoColumns) {
   }
 }
 
+TEST(Octet, TransposesRowsIntoColumns) {
+  Octet rows[8];
+  for (int row = 0; row < 8; ++row) {
+    for (int column = 0; column < 8; ++column) rows[row][column] = 10 * row + column;
+  }
+  transpose(rows);
+  for (int column = 0; column < 8; ++column) {
+    for (int row = 0; row < 8; ++row) EXPECT_EQ(rows[column][row], 10 * row + column);
+  }
+}
+
+/// Records of four doubles become columns, whatever the number of lanes.
+TEST(Octet, LoadsRowsAsColumns) {
+  alignas(32) double records[8][8];
+  const QuadInMemory* row[8];
+  for (int k = 0; k < 8; ++k) {
+    for (int j = 0; j < 8; ++j) records[k][j] = 10 * k + j;
+    row[k] = reinterpret_cast<const QuadInMemory*>(records[k]);
+  }
+  Octet a, b, c, d;
+  load_rows(row, 1, a, b, c, d);
+  for (int k = 0; k < 8; ++k) {
+    EXPECT_EQ(a[k], 10 * k + 4);
+    EXPECT_EQ(b[k], 10 * k + 5);
+    EXPECT_EQ(c[k], 10 * k + 6);
+    EXPECT_EQ(d[k], 10 * k + 7);
+  }
+}
+
+TEST(Octet, CountsAndBits) {
+  const Octet values = {1.0, -2.0, 3.0, -4.0, 5.0, 6.0, -7.0, 8.0};
+  EXPECT_EQ(count(values > Octet{}), 5);
+  EXPECT_EQ(magnitude(values)[6], 7.0);
+  EXPECT_EQ(any_bits(OctetBits{1, 0, 2, 0, 0, 16, 0, 128}), 147U);
+  EXPECT_EQ(lane_numbers<Octet>()[7], 7);
+}
+
 }  // namespace
 }  // namespace repose::test

@@ -75,8 +75,8 @@ TEST(Draw, TopViewHasTheColoursOfTheAreas) {
       {{0.0, 0.0, 2e-3}, 2e-3}, {{0.015, 0.0, 2e-3}, 2e-3}, {{0.045, 0.045, 2e-3}, 2e-3}};
   const Pixels picture(top_view_picture(deck, *scattering(deck, grains, 0), grains).png);
   EXPECT_EQ(picture.width(), 1600);
-  const auto at = [&](double x, double y) {  // 15 pixels per mm, y up, below 130 pixels of text
-    return std::pair(static_cast<int>(800.0 + 15e3 * x), static_cast<int>(130.0 + 15e3 * (0.05 - y)));
+  const auto at = [&](double x, double y) {  // 15 pixels per mm, y up, below 150 pixels of text
+    return std::pair(static_cast<int>(800.0 + 15e3 * x), static_cast<int>(150.0 + 15e3 * (0.05 - y)));
   };
   const auto excess = [&](double x, double y) {
     const auto [px, py] = at(x, y);

@@ -1,7 +1,7 @@
 // When phases end, and what they do to the walls.
 #include <gtest/gtest.h>
 
-#include "run/phases.h"
+#include "simulation/phases.h"
 #include "support/scenes.h"
 
 namespace repose::test {

@@ -6,7 +6,7 @@
 #include "base/math.h"
 #include "comm/agreement.h"
 #include "run/measurements/measurement.h"
-#include "run/phases.h"
+#include "simulation/phases.h"
 
 namespace repose {
 namespace {

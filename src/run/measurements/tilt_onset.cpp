@@ -5,7 +5,7 @@
 
 #include "base/math.h"
 #include "run/measurements/measurement.h"
-#include "run/phases.h"
+#include "simulation/phases.h"
 
 namespace repose {
 namespace {

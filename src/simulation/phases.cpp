@@ -1,4 +1,4 @@
-#include "run/phases.h"
+#include "simulation/phases.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,3 +9,5 @@ repose_test(calibration_coverage LABEL analytic
   SOURCES calibration_coverage_test.cpp calibration_adaptive_test.cpp
   LINK repose_calibration)
 repose_test(calibration_levels LABEL analytic SOURCES calibration_level_coverage_test.cpp LINK repose_calibration)
+repose_test(calibration_levels_often LABEL slow TIMEOUT 7200 SOURCES calibration_level_coverage_slow_test.cpp
+            LINK repose_calibration)

@@ -1,0 +1,45 @@
+// The whole of calibration_level_coverage_test.cpp: 200 hidden sets for each kind of cheap level, with two and three
+// levels, and ten searches.
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "calibration_level_tally.h"
+
+namespace repose {
+namespace {
+
+// 95 % of 200 are 190, with a binomial deviation of 3.1: 181 to 199 is within three.
+void expect_95_percent(const LevelStandIn& s, std::uint64_t first) {
+  const int covered = covered_of(s, first, 200);
+  std::printf("%zu levels: %d of 200 covered\n", s.levels(), covered);
+  EXPECT_GE(covered, 181);
+  EXPECT_LE(covered, 199);
+}
+
+TEST(LevelCoverage, WithALevelThatCorrelates) {
+  expect_95_percent(correlated_levels(), 5000);
+  expect_95_percent(with_middle(correlated_levels()), 5200);
+}
+TEST(LevelCoverage, WithALevelOfATrendOfItsOwn) {
+  expect_95_percent(biased_levels(), 5400);
+  expect_95_percent(with_middle(biased_levels()), 5600);
+}
+TEST(LevelCoverage, WithALevelThatIsOfNoUse) {
+  expect_95_percent(useless_levels(), 5800);
+  expect_95_percent(with_middle(useless_levels()), 6000);
+}
+
+TEST(LevelSearch, CostsHalfOfTheLastLevelAlone) {
+  LevelStandIn s = correlated_levels();
+  s.design = {36, 4};
+  const SearchTally t = search_tally(s, 6400, 10, 0.1);
+  std::printf("reached %d and alone %d of 10, covered %d; cost %.1f and alone %.1f runs\n", t.reached, t.reached_alone,
+              t.covered, t.cost, t.cost_alone);
+  EXPECT_GE(t.reached, 9);
+  EXPECT_GE(t.covered, 8);
+  EXPECT_LT(t.cost, 0.5 * t.cost_alone);
+}
+
+}  // namespace
+}  // namespace repose

@@ -13,16 +13,16 @@ target_compile_definitions(repose_flags INTERFACE OMPI_SKIP_MPICXX)
 
 # The first finding ends the process. The environment for running such a build: test preset asan in CMakePresets.json.
 option(REPOSE_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
-# One build for both: the sources are instrumented once.
+# One build for both: the sources are instrumented once. Coverage, by which the fuzzer chooses, only where a target leads.
 option(REPOSE_FUZZ "Build the fuzz targets with clang's libFuzzer, too" OFF)
+set(FUZZED_ROOMS base comm files deck scene domain measurement output thermal)
+# The compiler works longest on what it instruments and optimises; here no sanitized test spends its time.
+set(BRIEF_ROOMS pictures run campaign commands)
 if(REPOSE_SANITIZE)
   set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
     $<$<CXX_COMPILER_ID:Clang>:-fsanitize=float-cast-overflow>)
   target_compile_options(repose_flags INTERFACE ${sanitize})
   target_link_options(repose_flags INTERFACE ${sanitize})
-endif()
-if(REPOSE_FUZZ)
-  target_compile_options(repose_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # repose_library(NAME [SOURCES generated...] LINK ...): the library of one folder under src, of all its sources.
@@ -31,4 +31,10 @@ function(repose_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_library(repose_${name} STATIC ${sources} ${arg_SOURCES})
   target_link_libraries(repose_${name} PUBLIC repose_flags ${arg_LINK})
+  if(REPOSE_FUZZ AND name IN_LIST FUZZED_ROOMS)
+    target_compile_options(repose_${name} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+  if(REPOSE_SANITIZE AND name IN_LIST BRIEF_ROOMS)
+    target_compile_options(repose_${name} PRIVATE -O0)
+  endif()
 endfunction()

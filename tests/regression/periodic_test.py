@@ -15,9 +15,10 @@ def main():
     program = Program(*sys.argv[1:4])
     deck = program.deck("periodic_chute.toml")
     with tempfile.TemporaryDirectory() as folder:
-        alone = program.run(deck, f"{folder}/1", *REDUCED)
+        alone, thick = program.run_all([
+            (deck, f"{folder}/1", *REDUCED),
+            (deck, f"{folder}/thick", *REDUCED, "neighbours.skin=1.0", "neighbours.inner_skin=0.1")])
         together = program.run(deck, f"{folder}/4", *REDUCED, ranks=4)
-        thick = program.run(deck, f"{folder}/thick", *REDUCED, "neighbours.skin=1.0", "neighbours.inner_skin=0.1")
         rows = read_series(f"{folder}/1")
         assert rows == read_series(f"{folder}/4")
     assert alone["state_hash"] == together["state_hash"] == thick["state_hash"], (alone, together, thick)

@@ -45,12 +45,13 @@ class Scenes(unittest.TestCase):
 
     def compare(self, deck, overrides):
         with tempfile.TemporaryDirectory() as folder:
-            def run(name, *more, ranks=0):
-                return self.program.run(deck, os.path.join(folder, name), *overrides, *more, ranks=ranks,
-                                        options=("--quiet",))
-            one = run("one")
+            def arguments(name, *more):
+                return (deck, os.path.join(folder, name), *overrides, *more)
+            quiet = ("--quiet",)
+            one, lists = self.program.run_all(
+                [arguments("one"), arguments("lists", "neighbours.skin=0.1", "neighbours.inner_skin=0.01")], quiet)
             self.assertGreater(one["particles"]["inside"], 100)
-            for other in (run("four", ranks=4), run("lists", "neighbours.skin=0.1", "neighbours.inner_skin=0.01")):
+            for other in (self.program.run(*arguments("four"), ranks=4, options=quiet), lists):
                 for key in ("state_hash", "steps", "particles", "sizes", "phases"):
                     self.assertEqual(one[key], other[key])
             return one

@@ -11,8 +11,7 @@ from dataclasses import replace
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "tests" / "regression")]
-from laboratories import FRICTION  # noqa: E402
-from recover import misfit_at  # noqa: E402
+from laboratories import FRICTION, misfit_at  # noqa: E402
 from report import save  # noqa: E402
 
 BASE = ROOT / "input" / "discharge_mini.toml"
@@ -49,14 +48,20 @@ class Searches:
         return output
 
     def search(self, name, laboratory, start, half_width, levels=""):
-        """Estimate and core-hours of a search that stops at this half-width or at the budget."""
+        """Estimate and particle-steps of a search that stops at this half-width or at the budget."""
         adaptive = {"start": start, "batch": 2, "budget_core_hours": self.options.budget, "half_width": half_width}
         output = self.calibrate(name, STUDY.search(BASE, laboratory, adaptive) + levels)
-        return json.loads((output / "estimate.json").read_text())
+        return json.loads((output / "estimate.json").read_text()), particle_steps(output)
 
 
-def row_of(found, hidden):
-    return {"core_hours": found["core_hours"], "half_width": found["half_width"],
+def particle_steps(output):
+    summaries = [json.loads(path.read_text()) for path in output.glob("runs/**/summary.json")]
+    return sum(s["steps"] * s["particles"]["inserted"] for s in summaries)
+
+
+def row_of(search, hidden):
+    found, steps = search
+    return {"particle_steps": steps, "half_width": found["half_width"],
             "values": [p["values"] for p in found["points"]], "covered": misfit_at(found["surfaces"], hidden) <= found["limit"],
             "levels": found.get("levels"), "links": [o.get("links") for o in found["observables"]]}
 
@@ -80,7 +85,7 @@ def main():
     for number, row in enumerate(rows):
         alone = searches.search(f"alone_{number}", row["laboratory"], 9, options.half_width)
         row["alone"] = row_of(alone, row["hidden"])
-        row["share"] = row["levels"]["core_hours"] / row["alone"]["core_hours"]
+        row["share"] = row["levels"]["particle_steps"] / row["alone"]["particle_steps"]
         print(row["hidden"], f"{row['share']:.2f} of the cost", row["alone"], flush=True)
         save(options.results / "levels.json", rows=rows)
 

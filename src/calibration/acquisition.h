@@ -32,7 +32,7 @@ struct BatchPlan {
   double budget = std::numeric_limits<double>::infinity();  ///< of the batch, in the unit of the cost
 };
 
-/// The same over levels: each point and level is the one that is expected to narrow most per cost (C.28). Fewer points
+/// The same over levels: each point and level is the one that is expected to narrow most per cost (C.29). Fewer points
 /// than asked for, or none, when the budget takes no more.
 std::vector<LevelPoint> next_level_points(const Misfit& misfit, const Estimate& estimate, const BatchPlan& batch);
 

@@ -155,6 +155,16 @@ SurfaceValue LevelProcess::at(const Vector& point) const {
   return {.mean = own.dot(coefficients_) + near.dot(weights_), .deviation = std::sqrt(std::max(0.0, variance))};
 }
 
+double LevelProcess::freedom(const Vector& point) const {
+  if (levels() == 1) return freedom_;
+  const double deviation = at(point).deviation;
+  const LevelProcess& below = *below_.back();
+  const double from_below = std::min(std::fabs(parameters_.back().rho) * below.at(point).deviation, deviation);
+  const auto square = [](double x) { return x * x; };
+  const double variance = square(deviation), known = square(from_below);
+  return square(variance) / (square(known) / below.freedom(point) + square(variance - known) / freedom_);
+}
+
 std::vector<Vector> LevelProcess::weights(const Vector& point) const {
   const std::size_t last = levels() - 1;
   const Vector near = prior_with_data(last, point.transpose()).transpose();

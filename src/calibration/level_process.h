@@ -34,7 +34,9 @@ class LevelProcess {
   /// The levels below and including one, from their own runs alone.
   const LevelProcess& up_to(std::size_t level) const { return level + 1 == levels() ? *this : *below_[level]; }
   double rho_deviation(std::size_t level) const;  ///< standard error of a level's rho
-  double freedom() const { return freedom_; }     ///< degrees of freedom of the variances of the last level
+  /// Degrees of freedom of the surface's variance at a point: of what the level below leaves open and of what the last
+  /// level adds, each with its own (C.28).
+  double freedom(const Vector& point) const;
 
  private:
   void add_level(Replicates data, const LevelParameters& parameters);

@@ -25,7 +25,7 @@ class LevelSurface : public ObservableSurface {
 
   SurfaceValue at(const Vector& point) const override { return process_.at(point); }
   Vector gradient(const Vector& point) const override;
-  double freedom() const override { return process_.freedom(); }
+  double freedom(const Vector& point) const override { return process_.freedom(point); }
   double level_of(double value, const Vector& point) const override;
   double deviation_of(double level, double deviation, const Vector& point) const override;
   std::size_t levels() const override { return process_.levels(); }

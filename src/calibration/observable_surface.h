@@ -26,7 +26,7 @@ class ObservableSurface {
   // On the scale on which the surface was built, standardised.
   virtual SurfaceValue at(const Vector& point) const = 0;
   virtual Vector gradient(const Vector& point) const = 0;
-  virtual double freedom() const = 0;                                    ///< degrees of freedom of the variance
+  virtual double freedom(const Vector& point) const = 0;                 ///< degrees of freedom of the variance
   virtual double level_of(double value, const Vector& point) const = 0;  ///< of a mean in units
   virtual double deviation_of(double level, double deviation, const Vector& point) const = 0;  ///< of one in units
 

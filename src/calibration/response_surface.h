@@ -29,7 +29,7 @@ class ResponseSurface : public ObservableSurface {
 
   SurfaceValue at(const Vector& point) const override { return process_.at(point); }
   Vector gradient(const Vector& point) const override { return process_.gradient(point); }
-  double freedom() const override { return process_.freedom(); }
+  double freedom(const Vector&) const override { return process_.freedom(); }
   double level_of(double value, const Vector& /*point*/) const override { return scaled_level(value); }
   double deviation_of(double level, double deviation, const Vector& /*point*/) const override {
     return scaled_deviation(level, deviation);

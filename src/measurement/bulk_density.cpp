@@ -73,10 +73,12 @@ std::optional<BulkDensity> bulk_density(const BulkDensityDeck& deck, const Domai
     const double inside = volume_in_box(grain, deck.min, top);
     if (inside == 0.0) continue;
     volumes.push_back(inside);
-    masses.push_back(mass[all.original[i]] * (inside / volume(grain)));
+    if (!mass.empty()) masses.push_back(mass[all.original[i]] * (inside / volume(grain)));
   }
   const double box = (top.x - deck.min.x) * (top.y - deck.min.y) * (top.z - deck.min.z);
-  return BulkDensity{.density = sum_of(masses) / box, .porosity = 1.0 - sum_of(volumes) / box, .top = top.z};
+  BulkDensity result = {.density = {}, .porosity = 1.0 - sum_of(volumes) / box, .top = top.z};
+  if (!mass.empty()) result.density = sum_of(masses) / box;
+  return result;
 }
 
 }  // namespace repose

@@ -11,7 +11,8 @@
 namespace repose {
 namespace {
 
-constexpr double ring_width = 2.0;  // of the mean diameter
+constexpr double ring_width = 1.0;   // of the mean diameter
+constexpr double cell_length = 2.0;  // of the mean diameter, along the ring
 constexpr std::size_t least_rings = 3;
 
 struct Ring {
@@ -19,11 +20,13 @@ struct Ring {
   double height = 0.0;  ///< above the floor: mean over its cells of the highest point, m
 };
 
-/// The rings from the orifice to the wall, each of cells as long as it is wide. Cells without grains have no height.
+/// The rings from the axis to the wall, by cells along them. Cells without grains have no height.
 std::vector<Ring> rings_of(const RetainedSlopeDeck& deck, std::span<const Sphere> bed, double width) {
   const auto count = static_cast<int>(std::floor(deck.radius / width));
-  std::map<std::pair<int, int>, double> highest;             // by ring and cell
-  const auto cells = [](int ring) { return 6 * ring + 3; };  // 2 pi (ring + 1/2)
+  std::map<std::pair<int, int>, double> highest;  // by ring and cell
+  const auto cells = [](int ring) {
+    return std::max(1, static_cast<int>(2.0 * pi * (ring + 0.5) * ring_width / cell_length));
+  };
   for (const Sphere& grain : bed) {
     const double x = grain.centre.x - deck.axis.x, y = grain.centre.y - deck.axis.y;
     const int ring = static_cast<int>(std::floor(std::hypot(x, y) / width));

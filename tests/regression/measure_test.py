@@ -113,7 +113,7 @@ class Measure(FolderTest):
         bed = ("bulk_density_kg_m3", "porosity", "bulk_density_top_m")
         for key in (*bed, "retained_slope_deg"):
             self.assertEqual(one[key], three[key], key)
-        text, again = self.measure(glob.glob(self.path("1/run_*.hdf"))[0], *box)
+        text, again = self.measure(self.path(f"1/run_{one['phases'][0]['steps']:010d}.hdf"), *box)
         for key in bed:
             self.assertEqual(again[key], one[key], key)
         self.assertIn(f"porosity {one['porosity']:.4g}", text)

@@ -1,5 +1,5 @@
 // The whole of calibration_level_coverage_test.cpp: 200 hidden sets for each kind of cheap level, with two and three
-// levels, and ten searches.
+// levels, and twenty searches.
 #include <cstdio>
 
 #include <gtest/gtest.h>
@@ -30,15 +30,18 @@ TEST(LevelCoverage, WithALevelThatIsOfNoUse) {
   expect_95_percent(with_middle(useless_levels()), 6000);
 }
 
-TEST(LevelSearch, CostsHalfOfTheLastLevelAlone) {
+// What limits a search is the scatter of the last level's own runs, of which the levels below cannot tell; so problems
+// differ much, and the bound is of twenty of them.
+TEST(LevelSearch, CostsLessThanTheLastLevelAlone) {
+  constexpr int problems = 20;
   LevelStandIn s = correlated_levels();
-  s.design = {36, 4};
-  const SearchTally t = search_tally(s, 6400, 10, 0.1);
-  std::printf("reached %d and alone %d of 10, covered %d; cost %.1f and alone %.1f runs\n", t.reached, t.reached_alone,
-              t.covered, t.cost, t.cost_alone);
-  EXPECT_GE(t.reached, 9);
-  EXPECT_GE(t.covered, 8);
-  EXPECT_LT(t.cost, 0.5 * t.cost_alone);
+  s.design = {20, 4};
+  const SearchTally t = search_tally(s, 9400, problems, 0.2);
+  std::printf("reached %d and alone %d of %d, covered %d; cost %.1f and alone %.1f runs\n", t.reached, t.reached_alone,
+              problems, t.covered, t.cost, t.cost_alone);
+  EXPECT_GE(t.reached, 19);
+  EXPECT_GE(t.covered, 17);
+  EXPECT_LT(t.cost, 0.75 * t.cost_alone);
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ TEST(BulkDensity, OfALattice) {
                                     .surface_gap = 1e-3};
       const auto found = bed.measured(deck);
       ASSERT_TRUE(found);
-      EXPECT_NEAR(found->density / (density * solid), 1.0, 1e-12);
+      EXPECT_NEAR(*found->density / (density * solid), 1.0, 1e-12);
       EXPECT_NEAR(found->porosity, 1.0 - solid, 1e-12);
       EXPECT_EQ(found->top, deck.max.z);
     }
@@ -178,7 +178,11 @@ TEST(BulkDensity, OfARandomBedByCounting) {
   }
   const double share = static_cast<double>(solid) / points;
   EXPECT_NEAR(found->porosity, 1.0 - share, 4.0 * std::sqrt(share * (1.0 - share) / points));
-  EXPECT_NEAR(found->density, density * (1.0 - found->porosity), 1e-9);
+  EXPECT_NEAR(*found->density, density * (1.0 - found->porosity), 1e-9);
+  const auto without_mass = bulk_density(inner_box, {{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, bed.grains, {});
+  ASSERT_TRUE(without_mass);
+  EXPECT_EQ(without_mass->porosity, found->porosity);
+  EXPECT_FALSE(without_mass->density);
 }
 
 TEST(BulkDensity, DoesNotDependOnTheOrderOfTheGrains) {
@@ -215,7 +219,8 @@ TEST(BulkDensity, NoneWithoutABedThatIsDeepEnough) {
   EXPECT_FALSE(low.measured(deck));
 }
 
-/// What a cylinder of 20 mm keeps above a crater that rises by `degrees` from a hole of 3 mm to a plain at 10 mm.
+/// What a cylinder of 20 mm keeps above a crater that rises by `degrees` from a hole of 3 mm to a plain at 10 mm, in
+/// columns of touching grains.
 std::vector<Sphere> crater(double degrees) {
   constexpr double d = 0.5e-3;
   std::vector<Sphere> grains;
@@ -224,13 +229,13 @@ std::vector<Sphere> crater(double degrees) {
       const double r = std::hypot(i * d, j * d);
       if (r > 20e-3 - 0.5 * d) continue;
       const double surface = std::min(10e-3, std::tan(degrees * pi / 180.0) * (r - 3e-3));
-      for (double z = surface - 0.5 * d; z > 0.0; z -= d) grains.push_back({{i * d, j * d, z}, 0.5 * d});
+      for (int k = 0; (k + 0.5) * d < surface; ++k) grains.push_back({{i * d, j * d, (k + 0.5) * d}, 0.5 * d});
     }
   }
   return grains;
 }
 
-constexpr RetainedSlopeDeck vessel = {.enabled = true, .orifice_height = 0.0, .radius = 20e-3};
+constexpr RetainedSlopeDeck vessel = {.enabled = true, .orifice_height = 0.0, .axis = {}, .radius = 20e-3};
 
 TEST(RetainedSlope, OfACrater) {
   for (const double degrees : {20.0, 30.0, 40.0}) {

@@ -11,7 +11,7 @@ namespace {
 
 void add(const std::optional<BulkDensity>& found, Figures& figures) {
   if (!found) return;
-  figures["bulk_density_kg_m3"] = found->density;
+  if (found->density) figures["bulk_density_kg_m3"] = *found->density;
   figures["porosity"] = found->porosity;
   figures["bulk_density_top_m"] = found->top;
 }
@@ -57,10 +57,11 @@ void measure(const FinishedState& state, Figures& figures) {
 }
 
 std::string lines(const Figures& figures) {
+  const auto porosity = number_in(figures, "porosity");
+  if (!porosity) return {};
   const auto density = number_in(figures, "bulk_density_kg_m3");
-  if (!density) return {};
-  return fmt::format("bulk density {:.5g} kg/m3, porosity {:.4g}\n", *density,
-                     number_in(figures, "porosity").value_or(0.0));
+  return (density ? fmt::format("bulk density {:.5g} kg/m3, ", *density) : std::string()) +
+         fmt::format("porosity {:.4g}\n", *porosity);
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ class DischargeWatch : public Watch {
 
 /// Of the grains in a file; the course of the discharge is not in it.
 void measure(const FinishedState& state, Figures& figures) {
+  if (state.mass.empty()) return;
   double below = 0.0;
   double above = 0.0;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {

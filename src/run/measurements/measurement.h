@@ -58,7 +58,7 @@ class Watch {
 struct FinishedState {
   const Deck& deck;
   std::vector<Sphere> grains;
-  std::vector<double> mass;          ///< kg
+  std::vector<double> mass;          ///< kg; empty when it is not known
   std::optional<std::int64_t> left;  ///< grains that have left the domain; a list does not tell
   std::string directory;             ///< of the pictures; empty: none are drawn
 };

@@ -18,7 +18,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first: there need not be a screen)
 
 UNITS = (("_kg", "g", 1e3), ("_deg", "degrees", 1.0), ("_kg_s", "g/s", 1e3), ("_m", "mm", 1e3), ("_s", "s", 1.0))
-REGION, LABORATORY = "tab:red", "black"
+REGION, LABORATORY, CHEAP = "tab:red", "black", "tab:purple"
+LEVEL_MARKS = "osD^v"
 
 
 def read_json(folder, name):
@@ -44,9 +45,16 @@ def runs_of(folder):
 
 
 def draw_runs(axes, rows, x, y, figure):
-    """Dots where the figure was found, crosses where runs were plugged, had none, or failed."""
+    """Dots where the figure was found, with a mark of its own for each level; crosses where runs were plugged, had none, or
+    failed. The last level's are full."""
     found = [r for r in rows if r["state"] == "done" and r[figure]]
-    marks = (("o", "run", found), ("x", "plugged", [r for r in rows if r["state"] == "plugged"]),
+    levels = levels_of(rows)
+    for n, level in enumerate(levels):
+        points = {(float(r[x]), float(r[y])) for r in found if r["level"] == level}
+        if points:
+            axes.plot(*zip(*points), LEVEL_MARKS[n % len(LEVEL_MARKS)], color="0.25", markersize=5, label=level,
+                      clip_on=False, linestyle="none", fillstyle="full" if n + 1 == len(levels) else "none")
+    marks = (("o", "run", [] if levels else found), ("x", "plugged", [r for r in rows if r["state"] == "plugged"]),
              ("+", "no value", [r for r in rows if r["state"] == "done" and not r[figure]]),
              ("1", "failed", [r for r in rows if r["state"] == "failed"]))
     for marker, name, some in marks:
@@ -54,6 +62,26 @@ def draw_runs(axes, rows, x, y, figure):
         if points:
             axes.plot(*zip(*points), marker, color="0.25", markersize=4 if marker == "o" else 7, label=name, clip_on=False,
                       linestyle="none")
+
+
+def levels_of(rows):
+    """Names, the cheapest first; none when the runs are of one level."""
+    return list(dict.fromkeys(r["level"] for r in rows if "level" in r))
+
+
+def draw_cheap_level(axes, estimate, number):
+    """What the cheapest level alone would have said: its contour of the laboratory's value, or with None its region."""
+    if "first_level_alone" not in estimate:
+        return
+    alone, name = estimate["first_level_alone"]["surfaces"], estimate["levels"][0]["name"]
+    if number is None:
+        if any(v <= alone["limit"] for row in alone["misfit"] for v in row):
+            axes.contour(alone["x"], alone["y"], alone["misfit"], levels=[alone["limit"]], colors=[CHEAP], linewidths=1.0,
+                         linestyles=":")
+            axes.plot([], [], ":", color=CHEAP, label=f"region of {name} alone")
+        return
+    for n, line in enumerate(alone["observables"][number]["laboratory_lines"]):
+        axes.plot(*zip(*line), ":", color=CHEAP, linewidth=1.2, label=None if n else f"laboratory by {name} alone")
 
 
 def draw_laboratory(axes, surfaces, found, observable, factor, colour=LABORATORY):
@@ -85,13 +113,14 @@ def draw_plane(folder, estimate):
     surfaces, rows = estimate["surfaces"], runs_of(folder)
     count = len(estimate["observables"])
     figure, panels = plt.subplots(1, count + 1, figsize=(4.6 * (count + 1), 4.4), sharey=True, layout="constrained")
-    for axes, observable, found in zip(panels, estimate["observables"], surfaces["observables"]):
+    for number, (axes, observable, found) in enumerate(zip(panels, estimate["observables"], surfaces["observables"])):
         name, factor = quantity(observable["figure"])
         values = [[factor * v for v in row] for row in found["mean"]]
         axes.contourf(surfaces["x"], surfaces["y"], values, levels=12, cmap="Blues", alpha=0.6)
         lines = axes.contour(surfaces["x"], surfaces["y"], values, levels=12, colors="0.4", linewidths=0.6)
         axes.clabel(lines, fontsize=7)
         draw_laboratory(axes, surfaces, found, observable, factor)
+        draw_cheap_level(axes, estimate, number)
         draw_runs(axes, rows, x, y, observable["figure"])
         draw_region(axes, estimate)
         axes.set_title(name, fontsize=10)
@@ -99,6 +128,7 @@ def draw_plane(folder, estimate):
     for n, (observable, found) in enumerate(zip(estimate["observables"], surfaces["observables"])):
         draw_laboratory(panels[-1], surfaces, found, observable, quantity(observable["figure"])[1], f"C{n}")
         panels[-1].plot([], [], "--", color=f"C{n}", label=quantity(observable["figure"])[0])
+    draw_cheap_level(panels[-1], estimate, None)
     draw_region(panels[-1], estimate)
     handles, names = panels[-1].get_legend_handles_labels()
     shown = [(h, n) for h, n in zip(handles, names) if n != "laboratory"]
@@ -122,8 +152,10 @@ def draw_pairs(folder, estimate):
         name, factor = quantity(observable["figure"])
         for k, (axes, parameter) in enumerate(zip(row, parameters)):
             some = [r for r in rows if r[observable["figure"]] and r["state"] != "failed"]
-            axes.plot([float(r[parameter["name"]]) for r in some], [factor * float(r[observable["figure"]]) for r in some],
-                      "o", color="0.4", markersize=4)
+            for n, level in enumerate(levels_of(rows) or [None]):
+                own = [r for r in some if level is None or r["level"] == level]
+                axes.plot([float(r[parameter["name"]]) for r in own], [factor * float(r[observable["figure"]]) for r in own],
+                          LEVEL_MARKS[n % len(LEVEL_MARKS)], color="0.4", markersize=4, label=level)
             value, error = factor * observable["laboratory"], factor * observable["standard_error"]
             axes.axhline(value, color=LABORATORY, linestyle="--")
             axes.axhspan(value - 2 * error, value + 2 * error, color=LABORATORY, alpha=0.2)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include "calibration/estimate.h"
@@ -15,5 +17,23 @@ namespace repose {
 /// A point whose nearest run has no value of an observable (a plugged orifice) is expected to have none either.
 std::vector<std::vector<double>> next_points(const Misfit& misfit, const Estimate& estimate, std::size_t points,
                                              std::size_t seeds_per_point);
+
+/// A point and the level of the model at which it is to be run.
+struct LevelPoint {
+  std::size_t level = 0;
+  std::vector<double> values;
+};
+
+/// What a search over levels may do in a batch.
+struct BatchPlan {
+  std::size_t points = 1;
+  std::vector<std::size_t> seeds;                           ///< at a point, for each level
+  std::function<double(const LevelPoint&)> cost;            ///< predicted, of all seeds at a point; above 0
+  double budget = std::numeric_limits<double>::infinity();  ///< of the batch, in the unit of the cost
+};
+
+/// The same over levels: each point and level is the one that is expected to narrow most per cost (C.29). Fewer points
+/// than asked for, or none, when the budget takes no more.
+std::vector<LevelPoint> next_level_points(const Misfit& misfit, const Estimate& estimate, const BatchPlan& batch);
 
 }  // namespace repose

@@ -6,19 +6,24 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "calibration/level_surface.h"
 #include "calibration/normal_equivalent.h"
+#include "calibration/response_surface.h"
 
 namespace repose {
 namespace {
 
 // Standardised. Of a laboratory and a surface without any error; below it T would be made of rounding.
-constexpr double least_variance = 1e-12;
+constexpr double rounding = 1e-12;
 
 void check(std::size_t runs, std::span<const ObservableData> observables) {
   if (observables.empty()) throw DeckError("there is no observable to calibrate with");
   for (const ObservableData& o : observables) {
     if (o.values.size() != runs) {
       throw DeckError(fmt::format("observable \"{}\": has {} values for {} runs", o.name, o.values.size(), runs));
+    }
+    if (!(o.discrepancy >= 0.0) || !std::isfinite(o.discrepancy)) {
+      throw DeckError(fmt::format("observable \"{}\": its discrepancy must be 0 or more", o.name));
     }
     const LaboratoryValue& laboratory = o.laboratory;
     if (!std::isfinite(laboratory.value) || !std::isfinite(laboratory.deviation) || !(laboratory.deviation >= 0.0) ||
@@ -35,44 +40,79 @@ void check(std::size_t runs, std::span<const ObservableData> observables) {
 
 Misfit::Misfit(std::vector<ParameterRange> ranges, std::span<const std::vector<double>> runs,
                std::span<const ObservableData> observables)
-    : ranges_(std::move(ranges)) {
+    : Misfit(std::move(ranges), runs, RunLevels{}, observables) {}
+
+Misfit::Misfit(std::vector<ParameterRange> ranges, std::span<const std::vector<double>> runs, RunLevels levels,
+               std::span<const ObservableData> observables)
+    : ranges_(std::move(ranges)), levels_(std::move(levels)) {
   check(runs.size(), observables);
   runs_ = to_box(ranges_, runs);
   for (const ObservableData& o : observables) {
-    const ResponseSurface& surface = surfaces_.emplace_back(o.name, o.transform, runs_, o.values);
-    const double level = surface.scaled_level(o.laboratory.value);
-    if (!std::isfinite(level)) {
+    if (levels_.of_run.empty()) {
+      surfaces_.push_back(std::make_shared<ResponseSurface>(o.name, o.transform, runs_, o.values));
+    } else {
+      surfaces_.push_back(std::make_shared<LevelSurface>(o.name, o.transform, runs_, o.values, levels_));
+    }
+    if (!std::isfinite(surfaces_.back()->level_of(o.laboratory.value, Vector::Constant(parameters(), 0.5)))) {
       throw DeckError(fmt::format("observable \"{}\": its transform does not take the laboratory value {:g}", o.name,
                                   o.laboratory.value));
     }
-    const double error = surface.scaled_deviation(level, o.laboratory.standard_error());
-    targets_.push_back({.level = level, .variance = error * error, .freedom = o.laboratory.freedom});
+    laboratory_.push_back(o.laboratory);
+    discrepancy_.push_back(o.discrepancy);
   }
+  share_noise();
+}
+
+void Misfit::share_noise() {
   for (std::size_t a = 0; a < surfaces_.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      shared_.push_back(shared_noise(surfaces_[a].process().data(), surfaces_[b].process().data()));
+      std::vector<SharedNoise>& of_levels = shared_.emplace_back();
+      for (std::size_t level = 0; level < levels_.count; ++level) {
+        of_levels.push_back(shared_noise(surfaces_[a]->data(level), surfaces_[b]->data(level)));
+      }
     }
   }
+}
+
+Misfit::Target Misfit::target(std::size_t k, const Vector& point) const {
+  const ObservableSurface& surface = *surfaces_[k];
+  const double level = surface.level_of(laboratory_[k].value, point);
+  const double error = surface.deviation_of(level, laboratory_[k].standard_error(), point);
+  const double off = surface.deviation_of(level, discrepancy_[k], point);
+  return {.level = level, .variance = error * error, .discrepancy = off * off};
+}
+
+double Misfit::least_variance(Index k, const Vector& point) const {
+  const Target t = target(static_cast<std::size_t>(k), point);
+  return t.variance + t.discrepancy;
 }
 
 Misfit::Look Misfit::look(const Vector& point) const {
   Look result = {.differences = Vector(observables()), .covariance = Matrix::Zero(observables(), observables())};
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
     const auto i = static_cast<Index>(k);
-    const SurfaceValue surface = surfaces_[k].process().at(point);
-    result.differences[i] = surface.mean - targets_[k].level;
-    result.covariance(i, i) = targets_[k].variance + surface.deviation * surface.deviation + least_variance;  // (C.11)
+    const SurfaceValue surface = surfaces_[k]->at(point);
+    const Target t = target(k, point);
+    result.differences[i] = surface.mean - t.level;
+    result.covariance(i, i) = t.variance + t.discrepancy + surface.deviation * surface.deviation + rounding;  // (C.11)
   }
-  const SharedNoise* shared = shared_.data();
+  std::vector<std::vector<NoiseWeights>> weights(surfaces_.size());
+  const auto weights_of = [&](std::size_t k) -> const std::vector<NoiseWeights>& {
+    if (weights[k].empty()) weights[k] = surfaces_[k]->noise_weights(point);
+    return weights[k];
+  };
+  auto shared = shared_.begin();
   for (std::size_t a = 0; a < surfaces_.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b, ++shared) {
-      if (shared->correlation == 0.0) continue;
-      const GaussianProcess& pa = surfaces_[a].process();
-      const GaussianProcess& pb = surfaces_[b].process();
-      const auto i = static_cast<Index>(a);
-      const auto j = static_cast<Index>(b);
-      result.covariance(i, j) = result.covariance(j, i) =
-          shared->covariance(pa.weights(point), pa.noise_variance(), pb.weights(point), pb.noise_variance());
+      double covariance = 0.0;
+      for (std::size_t level = 0; level < levels_.count; ++level) {
+        if ((*shared)[level].correlation == 0.0) continue;
+        const NoiseWeights& wa = weights_of(a)[level];
+        const NoiseWeights& wb = weights_of(b)[level];
+        covariance += (*shared)[level].covariance(wa.weights, wa.variance, wb.weights, wb.variance);
+      }
+      result.covariance(static_cast<Index>(a), static_cast<Index>(b)) = covariance;
+      result.covariance(static_cast<Index>(b), static_cast<Index>(a)) = covariance;
     }
   }
   return result;
@@ -81,7 +121,7 @@ Misfit::Look Misfit::look(const Vector& point) const {
 Matrix Misfit::slopes(const Vector& point) const {
   Matrix result(observables(), parameters());
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-    result.row(static_cast<Index>(k)) = surfaces_[k].process().gradient(point).transpose();
+    result.row(static_cast<Index>(k)) = surfaces_[k]->gradient(point).transpose();
   }
   return result;
 }
@@ -90,13 +130,12 @@ Vector Misfit::residuals(const Vector& point) const {
   const auto [differences, scatter] = look(point);
   const Vector deviation = scatter.diagonal().cwiseSqrt();
   Vector z = differences.cwiseQuotient(deviation);
-  for (std::size_t k = 0; k < targets_.size(); ++k) {
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
     const auto i = static_cast<Index>(k);
     // Welch and Satterthwaite's degrees of freedom of a sum of two variances.
-    const double laboratory = targets_[k].variance;
-    const double surface = scatter(i, i) - laboratory;
-    const double doubt =
-        laboratory * laboratory / targets_[k].freedom + surface * surface / surfaces_[k].process().freedom();
+    const Target t = target(k, point);
+    const double surface = scatter(i, i) - t.variance - t.discrepancy;
+    const double doubt = t.variance * t.variance / laboratory_[k].freedom + surface * surface / surfaces_[k]->freedom(point);
     z[i] = normal_equivalent(z[i], scatter(i, i) * scatter(i, i) / doubt);
   }
   Matrix correlation = deviation.cwiseInverse().asDiagonal() * scatter * deviation.cwiseInverse().asDiagonal();

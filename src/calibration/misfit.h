@@ -1,13 +1,15 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "calibration/laboratory_value.h"
+#include "calibration/observable_surface.h"
 #include "calibration/parameter_range.h"
-#include "calibration/response_surface.h"
 #include "calibration/shared_noise.h"
+#include "calibration/transform.h"
 
 namespace repose {
 
@@ -17,6 +19,13 @@ struct ObservableData {
   Transform transform = Transform::none;
   LaboratoryValue laboratory;
   std::vector<double> values;  ///< one per run; NaN: the run has none (plugged, no pile)
+  double discrepancy = 0.0;    ///< standard deviation of what the model cannot be expected to meet
+};
+
+/// Of which level of the model each run is, the cheapest first. The last level is the one that counts.
+struct RunLevels {
+  std::size_t count = 1;
+  std::vector<std::size_t> of_run;
 };
 
 /// How far the surfaces of all observables are from the laboratory, in standard deviations of the difference. Points
@@ -25,6 +34,9 @@ class Misfit {
  public:
   /// `runs` has the parameters of each run. DeckError when the sizes do not match, or a surface cannot be built.
   Misfit(std::vector<ParameterRange> ranges, std::span<const std::vector<double>> runs,
+         std::span<const ObservableData> observables);
+  /// The same over levels of a model; DeckError also when a level has no surface.
+  Misfit(std::vector<ParameterRange> ranges, std::span<const std::vector<double>> runs, RunLevels levels,
          std::span<const ObservableData> observables);
 
   /// T of (C.12): chi-squared with one degree of freedom per observable where the parameters are the true ones.
@@ -42,24 +54,36 @@ class Misfit {
   Matrix slopes(const Vector& point) const;
 
   const std::vector<ParameterRange>& ranges() const { return ranges_; }
-  const std::vector<ResponseSurface>& surfaces() const { return surfaces_; }
-  double laboratory_variance(std::size_t k) const { return targets_[k].variance; }  ///< standardised
+  const ObservableSurface& surface(Index k) const { return *surfaces_[static_cast<std::size_t>(k)]; }
+  /// Of the laboratory and the model's discrepancy, standardised: no run narrows it.
+  double least_variance(Index k, const Vector& point) const;
   /// A row per run, in units of the box.
   const Matrix& runs() const { return runs_; }
+  std::size_t levels() const { return levels_.count; }
+  /// The level of a run.
+  std::size_t level_of(Index run) const {
+    return levels_.count == 1 ? 0 : levels_.of_run[static_cast<std::size_t>(run)];
+  }
   Index parameters() const { return static_cast<Index>(ranges_.size()); }
   Index observables() const { return static_cast<Index>(surfaces_.size()); }
 
  private:
+  /// What the laboratory has, on the scale of a surface.
   struct Target {
     double level;
-    double variance;  ///< of the level
-    double freedom;   ///< of the variance
+    double variance;     ///< of the level
+    double discrepancy;  ///< variance of the model's
   };
+  Target target(std::size_t k, const Vector& point) const;
+  void share_noise();
+
   std::vector<ParameterRange> ranges_;
   Matrix runs_;
-  std::vector<ResponseSurface> surfaces_;
-  std::vector<Target> targets_;
-  std::vector<SharedNoise> shared_;
+  RunLevels levels_;
+  std::vector<std::shared_ptr<const ObservableSurface>> surfaces_;
+  std::vector<LaboratoryValue> laboratory_;
+  std::vector<double> discrepancy_;               ///< in units
+  std::vector<std::vector<SharedNoise>> shared_;  ///< of each pair of surfaces, one per level
 };
 
 }  // namespace repose

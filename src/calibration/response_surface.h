@@ -3,22 +3,23 @@
 #include <span>
 #include <string>
 
-#include "calibration/gaussian_process.h"
 #include "calibration/laboratory_value.h"
+#include "calibration/observable_surface.h"
 #include "calibration/parameter_range.h"
-#include "calibration/transform.h"
+#include "calibration/standard_runs.h"
 
 namespace repose {
 
-/// An observable over the parameters, from runs. Points are in units of the box (0 to 1 in each parameter).
-class ResponseSurface {
+/// An observable over the parameters, from runs of one level.
+class ResponseSurface : public ObservableSurface {
  public:
   /// `points` has a row per run in units of the box; `values` are in the observable's own units, NaN: the run has none.
   /// DeckError when fewer than four points have a value, or one that the transform does not take.
   ResponseSurface(std::string name, Transform transform, const Matrix& points, std::span<const double> values);
 
-  double mean(const Vector& point) const;             ///< in units: what runs there give in the mean
-  double deviation(const Vector& point) const;        ///< in units: standard deviation of `mean`
+  const std::string& name() const override { return name_; }
+  double mean(const Vector& point) const override;
+  double deviation(const Vector& point) const override;
   double noise_deviation(const Vector& point) const;  ///< in units: of one run there, from seed to seed
 
   /// On the scale on which the surface was built, standardised.
@@ -26,20 +27,31 @@ class ResponseSurface {
   double scaled_level(double value) const;                        ///< of a mean in units
   double scaled_deviation(double level, double deviation) const;  ///< of a deviation in units, at a scaled level
 
-  const std::string& name() const { return name_; }
+  SurfaceValue at(const Vector& point) const override { return process_.at(point); }
+  Vector gradient(const Vector& point) const override { return process_.gradient(point); }
+  double freedom(const Vector&) const override { return process_.freedom(); }
+  double level_of(double value, const Vector& /*point*/) const override { return scaled_level(value); }
+  double deviation_of(double level, double deviation, const Vector& /*point*/) const override {
+    return scaled_deviation(level, deviation);
+  }
+  std::size_t levels() const override { return 1; }
+  const Replicates& data(std::size_t /*level*/) const override { return process_.data(); }
+  double noise_variance(std::size_t /*level*/, const Vector& /*point*/) const override {
+    return process_.noise_variance();
+  }
+  Matrix covariance(std::size_t /*level_a*/, const Matrix& a, std::size_t /*level_b*/, const Matrix& b) const override {
+    return process_.covariance(a, b);
+  }
+  std::vector<NoiseWeights> noise_weights(const Vector& point) const override {
+    return {{process_.weights(point), process_.noise_variance()}};
+  }
 
  private:
-  struct Standard {
-    double centre;
-    double scale;
-  };
-  static Standard standard_of(const Replicates& data);
-  static Replicates standardised(Replicates data, const Standard& standard);
   ResponseSurface(std::string name, Transform transform, const Replicates& data, const Standard& standard);
 
   /// On the transform's scale, not standardised.
-  double level_at(const Vector& point) const;
-  double noise_variance() const { return standard_.scale * standard_.scale * process_.noise_variance(); }
+  double scale_value_at(const Vector& point) const;
+  double noise_on_scale() const { return standard_.scale * standard_.scale * process_.noise_variance(); }
 
   std::string name_;
   Transform transform_;

@@ -66,7 +66,8 @@ class Group {
         log.reset(std::fopen((folder + "/run.log").c_str(), "a"));
         if (!log) throw FileError(fmt::format("{}/run.log: cannot be opened", folder));
       });
-      const RunRequest request = {plan_.base, run.overrides, folder, plan_.level, {log.get(), log.get()}, true};
+      const RunRequest request = {plan_.bases[run.level], run.overrides, folder, plan_.level,
+                                  {log.get(), log.get()}, true};
       run_file(comm_, request, [&](double needed) { return stop_now(needed); });
     } catch (const Stopped&) {
       if (comm_.is_root()) counters_.add(stop_wanted, 1);
@@ -109,28 +110,48 @@ class Group {
   WallClock::time_point last_asked_ = WallClock::now();
 };
 
-/// Particles times steps; alike for all runs that differ in the laws of the contacts alone. What cannot be set up will
-/// say so when it is run.
-double work_of(const CampaignPlan& plan, const StudyRun& run) {
-  const std::vector<ParameterDeck>& parameters = plan.study.parameters;
-  const auto is_of_pair = [](const ParameterDeck& p) { return p.key.starts_with("pair."); };
-  if (std::all_of(parameters.begin(), parameters.end(), is_of_pair)) return 1.0;
+/// Particles times steps. What cannot be set up will say so when it is run.
+double planned_work(const CampaignPlan& plan, const StudyRun& run) {
+  const std::string& base = plan.bases[run.level];
   try {
-    const Deck deck = read_deck(read_whole_file(plan.base), plan.base, run.overrides);
-    return most_particle_steps(deck,
-                               [&](const std::string& file) { return read_whole_file(path_beside(plan.base, file)); });
+    const Deck deck = read_deck(read_whole_file(base), base, run.overrides);
+    return most_particle_steps(deck, [&](const std::string& file) { return read_whole_file(path_beside(base, file)); });
   } catch (const Error&) {
     return 0.0;
   }
 }
+
+/// The same for many runs: alike for all of a level that differ in the laws of the contacts alone.
+class PlannedWork {
+ public:
+  explicit PlannedWork(const CampaignPlan& plan) : plan_(plan), of_level_(plan.bases.size()) {
+    const std::vector<ParameterDeck>& parameters = plan.study.parameters;
+    const auto is_of_pair = [](const ParameterDeck& p) { return p.key.starts_with("pair."); };
+    alike_ = std::all_of(parameters.begin(), parameters.end(), is_of_pair);
+  }
+
+  double operator()(const StudyRun& run) {
+    if (!alike_) return planned_work(plan_, run);
+    if (plan_.bases.size() == 1) return 1.0;
+    std::optional<double>& known = of_level_[run.level];
+    if (!known) known = planned_work(plan_, run);
+    return *known;
+  }
+
+ private:
+  const CampaignPlan& plan_;
+  bool alike_ = false;
+  std::vector<std::optional<double>> of_level_;
+};
 
 /// Collective. The runs to do, the same on all ranks.
 std::vector<std::size_t> shared_order(const Communicator& world, const CampaignPlan& plan,
                                       std::span<const StudyRun> runs) {
   std::vector<std::size_t> order;
   agree_after_root(world, [&] {
+    PlannedWork work(plan);
     order = longest_first(runs, read_run_folders(plan.directory, runs, plan.figures), plan.study.parameters,
-                          [&](const StudyRun& run) { return work_of(plan, run); });
+                          [&](const StudyRun& run) { return work(run); });
   });
   world.broadcast(order);
   return order;
@@ -149,8 +170,8 @@ void wait_for_all(const Communicator& world, CampaignWatch* watch) {
 
 CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
                      const RunRequest& request) {
-  CampaignPlan plan{study, deck_text, "", std::move(figures), request.output, request.level, request.log};
-  plan.base = path_beside(request.deck, study.base);
+  CampaignPlan plan{study, deck_text, {}, {}, std::move(figures), request.output, request.level, request.log};
+  plan.bases = {path_beside(request.deck, study.base)};
   plan.study.set.insert(plan.study.set.end(), request.overrides.begin(), request.overrides.end());
   return plan;
 }
@@ -162,10 +183,13 @@ std::string effort_text(const CampaignEffort& effort, int ranks) {
 }
 
 void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
-  const std::string text = read_whole_file(plan.base);
+  std::vector<std::string> texts;
+  for (const std::string& base : plan.bases) texts.push_back(read_whole_file(base));
+  std::vector<char> has_figures(plan.bases.size(), 0);
   for (const StudyRun& run : runs) {
-    const Deck deck = read_deck(text, plan.base, run.overrides);
-    if (&run == &runs.front()) {
+    const Deck deck = read_deck(texts[run.level], plan.bases[run.level], run.overrides);
+    if (has_figures[run.level] == 0) {
+      has_figures[run.level] = 1;
       for (const std::string& figure : plan.figures) require_figure(deck, figure);
     }
     const std::string folder = folder_of(plan.directory, run);

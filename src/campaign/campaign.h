@@ -16,7 +16,8 @@ namespace repose {
 struct CampaignPlan {
   StudyDeck study;
   std::string deck_text;             ///< of the study, for the table
-  std::string base;                  ///< path of the base deck
+  std::vector<std::string> bases;    ///< paths of the base decks, one per level
+  std::vector<std::string> levels;   ///< their names; empty: there is one, without a name
   std::vector<std::string> figures;  ///< keys of summary.json, for the table
   std::string directory;             ///< runs in runs/NAME, tables beside
   VectorLevel level;
@@ -31,8 +32,8 @@ struct CampaignEffort {
   double idle_share = 0.0;  ///< of all ranks' time, in which they waited for the others' last runs
 };
 
-/// Figures are keys of summary.json; `request` names the study's deck, whose text is given, and the directory. Its
-/// overrides are of the base deck.
+/// For one level. Figures are keys of summary.json; `request` names the study's deck, whose text is given, and the
+/// directory. Its overrides are of the base deck.
 CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
                      const RunRequest& request);
 

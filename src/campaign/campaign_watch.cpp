@@ -47,7 +47,7 @@ std::vector<RunRecord> CampaignWatch::write_tables() {
     RunRecord& record = records[order_[static_cast<std::size_t>(k)]];
     if (record.state == RunState::waiting) record.state = RunState::running;
   }
-  GridTable table{plan_.deck_text, {}, plan_.figures, runs_, records, build_info(to_string(plan_.level))};
+  GridTable table{plan_.deck_text, {}, plan_.figures, plan_.levels, runs_, records, build_info(to_string(plan_.level))};
   for (const ParameterDeck& p : plan_.study.parameters) table.parameters.push_back(p.name);
   write_grid_table(plan_.directory, table);
   return records;

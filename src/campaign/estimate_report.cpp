@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/level_report.h"
 #include "campaign/observables.h"
 #include "campaign/surface_json.h"
 #include "files/json_text.h"
@@ -31,6 +32,12 @@ Json part_json(const RegionPart& part) {
   return {{"intervals", intervals}};
 }
 
+Json parts_json(const Estimate& estimate) {
+  Json parts = Json::array();
+  for (const RegionPart& part : estimate.parts) parts.push_back(part_json(part));
+  return parts;
+}
+
 Json point_json(const CalibratedPoint& point) {
   Json covariance = Json::array();
   for (Index row = 0; row < point.covariance.rows(); ++row) {
@@ -46,13 +53,15 @@ Json point_json(const CalibratedPoint& point) {
 
 Json observable_json(const ObservableDeck& deck, const ObservableData& data, double off_by) {
   const auto runs = std::count_if(data.values.begin(), data.values.end(), [](double v) { return !std::isnan(v); });
-  return {{"figure", deck.figure},
-          {"laboratory", deck.laboratory},
-          {"deviation", deck.deviation},
-          {"repeats", deck.repeats},
-          {"standard_error", data.laboratory.standard_error()},
-          {"runs", runs},
-          {"nearest_off_by", json_number(off_by)}};
+  Json json = {{"figure", deck.figure},
+               {"laboratory", deck.laboratory},
+               {"deviation", deck.deviation},
+               {"repeats", deck.repeats},
+               {"standard_error", data.laboratory.standard_error()},
+               {"runs", runs},
+               {"nearest_off_by", json_number(off_by)}};
+  if (data.discrepancy > 0.0) json["discrepancy"] = data.discrepancy;
+  return json;
 }
 
 std::string interval_text(const ConfidenceInterval& i) {
@@ -94,8 +103,9 @@ std::string runs_text(std::span<const RunRecord> records) {
 std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, std::span<const RunRecord> records) {
   std::string text = runs_text(records);
   for (const ObservableDeck& o : deck.observables) {
-    text += fmt::format("laboratory {:26} {:.5g}, standard error {:.2g} ({:.2g} / sqrt({}))\n", o.figure, o.laboratory,
+    text += fmt::format("laboratory {:26} {:.5g}, standard error {:.2g} ({:.2g} / sqrt({}))", o.figure, o.laboratory,
                         o.deviation / std::sqrt(static_cast<double>(o.repeats)), o.deviation, o.repeats);
+    text += o.model_deviation() > 0.0 ? fmt::format(", discrepancy of the model {:.2g}\n", o.model_deviation()) : "\n";
   }
   text += estimate.verdict + "\n";
   for (const CalibratedPoint& point : estimate.points) text += point_text(deck, estimate, point);
@@ -103,11 +113,27 @@ std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, std::
   return text;
 }
 
+/// What is said of an estimate with less: where it is, and its region.
+Json other_json(const OtherEstimate& other) {
+  Json points = Json::array();
+  for (const CalibratedPoint& point : other.estimate.points) points.push_back(point_json(point));
+  return {{"verdict", other.estimate.verdict},
+          {"points", points},
+          {"parts", parts_json(other.estimate)},
+          {"half_width", json_number(other.estimate.half_width)}};
+}
+
+std::string other_text(const CalibrationDeck& deck, const OtherEstimate& other) {
+  std::string text = fmt::format("{}: {}\n", other.what, other.estimate.verdict);
+  for (const CalibratedPoint& point : other.estimate.points) text += point_text(deck, other.estimate, point);
+  return text;
+}
+
 }  // namespace
 
 Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
   const std::vector<ObservableData> data = observable_data(deck, records);
-  const Misfit misfit(ranges_of(deck.study), places_of(runs), data);
+  const Misfit misfit = misfit_of(deck, runs, records);
   const Estimate result = estimate(misfit, deck.confidence);
   Json parameters = Json::array();
   for (const ParameterDeck& p : deck.study.parameters) {
@@ -116,11 +142,10 @@ Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, st
   Json observables = Json::array();
   for (std::size_t k = 0; k < data.size(); ++k) {
     observables.push_back(observable_json(deck.observables[k], data[k], result.nearest.off_by[k]));
+    if (!deck.levels.empty()) observables.back()["links"] = links_json(deck, misfit, static_cast<Index>(k));
   }
   Json points = Json::array();
   for (const CalibratedPoint& point : result.points) points.push_back(point_json(point));
-  Json parts = Json::array();
-  for (const RegionPart& part : result.parts) parts.push_back(part_json(part));
   Json json = {{"title", deck.study.title},
                {"confidence", result.confidence},
                {"limit", result.limit},
@@ -128,14 +153,29 @@ Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, st
                {"parameters", parameters},
                {"observables", observables},
                {"points", points},
-               {"parts", parts},
+               {"parts", parts_json(result)},
                {"nearest",
                 {{"values", result.nearest.values},
                  {"misfit", json_number(result.nearest.misfit)},
                  {"acceptable", result.nearest.acceptable}}},
                {"half_width", json_number(result.half_width)}};
   if (misfit.parameters() == 2) json["surfaces"] = surface_json(misfit, deck, result.limit);
-  return {text_of(deck, result, records), json_text(json, 1)};
+  std::string text = text_of(deck, result, records);
+  if (!deck.levels.empty()) {
+    const OtherEstimate first = first_level_alone(deck, runs, records);
+    json["levels"] = levels_json(deck, runs, records);
+    json["first_level_alone"] = other_json(first);
+    if (misfit.parameters() == 2) {
+      json["first_level_alone"]["surfaces"] = surface_json(first.misfit, deck, first.estimate.limit);
+    }
+    text += levels_text(deck, runs, records) + links_text(deck, misfit) + other_text(deck, first);
+  }
+  if (has_discrepancy(deck)) {
+    const OtherEstimate exact = without_discrepancy(deck, runs, records);
+    json["without_discrepancy"] = other_json(exact);
+    text += other_text(deck, exact);
+  }
+  return {text, json_text(json, 1)};
 }
 
 std::string progress_of(const Estimate& estimate) {

@@ -1,6 +1,7 @@
 #include "campaign/expected_cost.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -16,15 +17,38 @@ double squared_distance(const StudyRun& a, const StudyRun& b, std::span<const Pa
   return sum;
 }
 
+/// A run of another level tells less of the speed than any of the same.
+double other_level(const StudyRun& a, const StudyRun& b) {
+  constexpr double far = 1e6;
+  return a.level == b.level ? 0.0 : far;
+}
+
 }  // namespace
+
+double expected_particle_steps(std::span<const StudyRun> runs, std::span<const RunRecord> records,
+                               std::span<const ParameterDeck> parameters, std::size_t level,
+                               const std::vector<double>& values) {
+  constexpr double near = 0.01;  // squared, over the ranges: nearer runs are worth the same
+  const StudyRun there{values, 0, "", {}, level};
+  double weights = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].level != level || !(records[i].particle_steps > 0.0)) continue;
+    const double weight = 1.0 / (near + squared_distance(runs[i], there, parameters));
+    weights += weight;
+    sum += weight * std::log(records[i].particle_steps);
+  }
+  return weights > 0.0 ? std::exp(sum / weights) : 1.0;
+}
 
 std::vector<std::size_t> longest_first(std::span<const StudyRun> runs, std::span<const RunRecord> records,
                                        std::span<const ParameterDeck> parameters, const WorkOf& work_of) {
   const auto waits = [](const RunRecord& record) { return record.state == RunState::waiting; };
   if (std::none_of(records.begin(), records.end(), waits)) return {};  // the work of a run takes its set-up
-  std::map<std::vector<double>, double> work;                          // that of one seed is that of all
+  std::map<std::pair<std::size_t, std::vector<double>>, double> work;  // that of one seed is that of all
+  const auto key_of = [](const StudyRun& run) { return std::pair(run.level, run.values); };
   for (const StudyRun& run : runs) {
-    if (!work.contains(run.values)) work[run.values] = std::max(work_of(run), 1.0);
+    if (!work.contains(key_of(run))) work[key_of(run)] = std::max(work_of(run), 1.0);
   }
   std::vector<double> cost(runs.size(), 0.0);
   std::vector<std::size_t> waiting;
@@ -35,12 +59,12 @@ std::vector<std::size_t> longest_first(std::span<const StudyRun> runs, std::span
     double speed = 1.0;
     for (std::size_t j = 0; j < runs.size(); ++j) {
       if (records[j].state != RunState::done && records[j].state != RunState::plugged) continue;
-      const double distance = squared_distance(runs[i], runs[j], parameters);
+      const double distance = squared_distance(runs[i], runs[j], parameters) + other_level(runs[i], runs[j]);
       if (distance >= least) continue;
       least = distance;
-      speed = work[runs[j].values] / std::max(records[j].wall_seconds * records[j].ranks, 1e-3);
+      speed = work[key_of(runs[j])] / std::max(records[j].wall_seconds * records[j].ranks, 1e-3);
     }
-    cost[i] = work[runs[i].values] / speed;
+    cost[i] = work[key_of(runs[i])] / speed;
   }
   std::stable_sort(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) { return cost[a] > cost[b]; });
   return waiting;

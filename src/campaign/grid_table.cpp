@@ -62,6 +62,12 @@ void write_hdf5(const std::string& path, const GridTable& table) {
   };
   file.write_rows("/runs/seed", std::span<const std::int64_t>(seeds), rows);
   texts("folder", folders);
+  if (!table.levels.empty()) {
+    std::vector<std::string> levels;
+    for (const StudyRun& run : table.runs) levels.push_back(table.levels[run.level]);
+    texts("level", levels);
+    file.write_attribute("/runs/level", "names", std::span<const std::string>(table.levels));
+  }
   texts("state", column<std::string>(table.records, [](const RunRecord& r) { return to_string(r.state); }));
   texts("reason", column<std::string>(table.records, [](const RunRecord& r) { return r.reason; }));
   texts("state_hash", column<std::string>(table.records, [](const RunRecord& r) { return r.state_hash; }));
@@ -83,10 +89,11 @@ std::string quoted(const std::string& text) {
 }
 
 std::string csv_of(const GridTable& table) {
-  std::string text =
-      fmt::format("{},seed,state,{},reason\n", fmt::join(table.parameters, ","), fmt::join(table.figures, ","));
+  std::string text = table.levels.empty() ? "" : "level,";
+  text += fmt::format("{},seed,state,{},reason\n", fmt::join(table.parameters, ","), fmt::join(table.figures, ","));
   for (std::size_t i = 0; i < table.runs.size(); ++i) {
     const RunRecord& record = table.records[i];
+    if (!table.levels.empty()) text += table.levels[table.runs[i].level] + ",";
     for (const double value : table.runs[i].values) text += fmt::format("{},", value);
     text += fmt::format("{},{},", table.runs[i].seed, to_string(record.state));
     for (const std::optional<double>& figure : record.figures) {

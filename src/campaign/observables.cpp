@@ -38,6 +38,17 @@ std::vector<std::vector<double>> places_of(std::span<const StudyRun> runs) {
   return places;
 }
 
+RunLevels levels_of(const CalibrationDeck& deck, std::span<const StudyRun> runs) {
+  if (deck.levels.empty()) return {};
+  RunLevels levels{.count = deck.levels.size(), .of_run = {}};
+  for (const StudyRun& run : runs) levels.of_run.push_back(run.level);
+  return levels;
+}
+
+Misfit misfit_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+  return {ranges_of(deck.study), places_of(runs), levels_of(deck, runs), observable_data(deck, records)};
+}
+
 std::vector<double> values_of_figure(std::span<const RunRecord> records, const std::string& figure, std::size_t k) {
   const bool is_mass = figure == "discharged_mass_kg" || figure == "retained_mass_kg";
   std::vector<double> values;
@@ -52,7 +63,8 @@ std::vector<ObservableData> observable_data(const CalibrationDeck& deck, std::sp
   std::vector<ObservableData> data;
   for (std::size_t k = 0; k < deck.observables.size(); ++k) {
     const ObservableDeck& o = deck.observables[k];
-    data.push_back({o.figure, transform_of(o.scale), laboratory_of(o), values_of_figure(records, o.figure, k)});
+    data.push_back({o.figure, transform_of(o.scale), laboratory_of(o), values_of_figure(records, o.figure, k),
+                    o.model_deviation()});
   }
   return data;
 }

@@ -16,6 +16,12 @@ std::vector<ParameterRange> ranges_of(const StudyDeck& study);
 /// The parameters of each run.
 std::vector<std::vector<double>> places_of(std::span<const StudyRun> runs);
 
+/// The level of each run; none without levels.
+RunLevels levels_of(const CalibrationDeck& deck, std::span<const StudyRun> runs);
+
+/// What the runs and the laboratory say together.
+Misfit misfit_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records);
+
 /// The values of figure `k` of the records, NaN where a run has none. A plugged run counts for the masses alone: what
 /// little has fallen through is no pile (thesis section 3.5).
 std::vector<double> values_of_figure(std::span<const RunRecord> records, const std::string& figure, std::size_t k);

@@ -45,6 +45,11 @@ RunRecord record_of_summary(const std::string& path, std::span<const std::string
   record.wall_seconds = value_of<double>(summary, "wall_seconds", path);
   record.ranks = value_of<int>(summary, "ranks", path);
   record.restarts = value_of<std::int64_t>(summary, "restarts", path);
+  const Json::json_pointer grains("/particles/inserted");
+  if (summary.contains("steps") && summary["steps"].is_number() && summary.contains(grains) &&
+      summary[grains].is_number()) {
+    record.particle_steps = summary["steps"].get<double>() * summary[grains].get<double>();
+  }
   return record;
 }
 

@@ -24,6 +24,7 @@ struct RunRecord {
   double wall_seconds = 0.0;
   int ranks = 0;
   std::int64_t restarts = 0;
+  double particle_steps = 0.0;  ///< its work: grains times steps, which no rank or clock changes; 0: not known
 };
 
 /// Reads a run's folder, which need not exist. A run that failed for what may be gone by now (a full disk, a deck that

@@ -13,6 +13,7 @@ struct StudyRun {
   std::int64_t seed = 0;
   std::string name;                    ///< of its folder, from the values and the seed alone
   std::vector<std::string> overrides;  ///< of the base deck
+  std::size_t level = 0;               ///< of the model
 };
 
 /// All seeds at each point, point after point. A point that stands there again gets the next seeds.

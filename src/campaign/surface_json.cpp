@@ -55,8 +55,8 @@ Json surface_json(const Misfit& misfit, const CalibrationDeck& deck, double limi
     json["y"].push_back(node(y, k));
   }
   Json observables = Json::array();
-  for (std::size_t k = 0; k < misfit.surfaces().size(); ++k) {
-    const ResponseSurface& surface = misfit.surfaces()[k];
+  for (std::size_t k = 0; k < deck.observables.size(); ++k) {
+    const ObservableSurface& surface = misfit.surface(static_cast<Index>(k));
     const auto at = [&](double u, double v) {
       return surface.mean(in_box((u - x.lower) / (x.upper - x.lower), (v - y.lower) / (y.upper - y.lower)));
     };

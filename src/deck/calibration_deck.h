@@ -18,6 +18,11 @@ struct ObservableDeck {
   std::int64_t repeats = 1;        ///< measurements of which `laboratory` is the mean
   bool deviation_is_known = true;  ///< false: estimated from these very repeats
   ObservableScale scale = ObservableScale::linear;
+  double discrepancy = 0.0;        ///< standard deviation of what the model cannot be expected to meet, in that unit
+  double discrepancy_share = 0.0;  ///< or over the laboratory's value
+
+  /// In the unit of the figure.
+  double model_deviation() const;
 };
 
 /// Parameters to run at, in the order of the [[parameter]] sections.
@@ -27,11 +32,22 @@ struct PointDeck {
 
 /// A search that decides on its points as it goes.
 struct AdaptiveDeck {
-  bool enabled = false;       ///< true when the deck has the section
-  std::int64_t start = 0;     ///< points of the first design
-  std::int64_t batch = 0;     ///< points decided at a time
-  std::int64_t budget = 0;    ///< points in all
+  bool enabled = false;     ///< true when the deck has the section
+  std::int64_t start = 0;   ///< points of the first design
+  std::int64_t batch = 0;   ///< points decided at a time
+  std::int64_t budget = 0;  ///< points in all; 0: not given
+  double budget_core_hours = unset;
+  double core_speed = 8e6;    ///< particle-steps per second of a core, by which core-hours are counted
   double half_width = unset;  ///< of the widest confidence interval over its range, at which it is narrow enough
+};
+
+/// A level of the model: the same test made cheaper, or the one that counts, which is the last.
+struct LevelDeck {
+  std::string name;
+  std::string base;              ///< path of the deck; empty: that of the study
+  std::vector<std::string> set;  ///< after those of the study
+  std::int64_t seeds = 0;        ///< at each point; 0: as the study
+  std::int64_t start = 0;        ///< points of the first design; 0: as [adaptive]
 };
 
 /// Runs over a grid of parameters, and what their figures should come to.
@@ -40,8 +56,17 @@ struct CalibrationDeck {
   double confidence = 0.95;
   std::vector<PointDeck> points;  ///< instead of a grid
   std::vector<ObservableDeck> observables;
+  std::vector<LevelDeck> levels;  ///< the cheapest first; empty: one, which is the study
   AdaptiveDeck adaptive;
+
+  std::size_t level_count() const { return levels.empty() ? 1 : levels.size(); }
 };
+
+/// The study of one level: its base, settings and seeds in place of the whole's.
+StudyDeck study_of_level(const CalibrationDeck& deck, std::size_t level);
+
+/// Points of the first design of a level.
+std::int64_t start_of_level(const CalibrationDeck& deck, std::size_t level);
 
 /// Reads and checks it. DeckError, with the place, on the first mistake.
 CalibrationDeck read_calibration_deck(const std::string& text, const std::string& path);

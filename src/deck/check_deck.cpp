@@ -129,7 +129,25 @@ void check_scattering(const ScatteringDeck& s, DeckErrors& errors) {
   }
 }
 
+void check_bulk_density(const BulkDensityDeck& b, const DomainDeck& domain, DeckErrors& errors) {
+  const std::string section = "measurement.bulk_density";
+  check_box(section, b.min, b.max, errors);
+  for (double Vec3::*along : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    if (b.min.*along >= domain.min.*along && b.max.*along <= domain.max.*along) continue;
+    errors.add(section + ".max", "the box reaches out of the [domain]; it has to lie in the settled bed");
+    return;
+  }
+}
+
+void check_retained_slope(const RetainedSlopeDeck& r, DeckErrors& errors) {
+  if (r.fit_from < r.fit_to) return;
+  errors.add("measurement.retained_slope.fit_to",
+             fmt::format("\"fit_to\" = {} must be greater than \"fit_from\" = {}", r.fit_to, r.fit_from));
+}
+
 void check_measurement(const Deck& deck, DeckErrors& errors) {
+  if (deck.bulk_density.enabled) check_bulk_density(deck.bulk_density, deck.domain, errors);
+  if (deck.retained_slope.enabled) check_retained_slope(deck.retained_slope, errors);
   if (deck.angle_of_repose.enabled) check_angle_of_repose(deck.angle_of_repose, errors);
   if (deck.scattering.enabled) check_scattering(deck.scattering, errors);
 }

@@ -142,6 +142,41 @@ void describe(V& v, SurfaceAngleDeck& s) {
     "half width of the fitted part of the surface about the axis, share of the radius");
 }
 
+struct BulkDensityDeck {
+  bool enabled = false;  ///< true when the deck has the section
+  Vec3 min{unset, unset, unset};
+  Vec3 max{unset, unset, unset};
+  double surface_gap = unset;  ///< default: three mean diameters
+};
+
+template <class V>
+void describe(V& v, BulkDensityDeck& b) {
+  v("min", b.min, Unit::metre, any_value, required, "lower corner of the box, clear of walls and floor");
+  v("max", b.max, Unit::metre, any_value, required,
+    "upper corner, clear of walls; where the bed ends lower, the box ends below its surface");
+  v("surface_gap", b.surface_gap, Unit::metre, at_least(0), optional_else("three mean diameters"),
+    "least distance of the box from the bed's surface");
+}
+
+struct RetainedSlopeDeck {
+  bool enabled = false;           ///< true when the deck has the section
+  double orifice_height = unset;  ///< z of the floor
+  Vec3 axis;                      ///< a point on the vessel's vertical axis (x and y count)
+  double radius = unset;          ///< of the vessel
+  double fit_from = 0.2;          ///< lower end of the fitted part, share of the bed's height at the wall
+  double fit_to = 0.8;
+};
+
+template <class V>
+void describe(V& v, RetainedSlopeDeck& r) {
+  v("orifice_height", r.orifice_height, Unit::metre, any_value, required, "z of the vessel's flat floor");
+  v("axis", r.axis, Unit::metre, any_value, optional, "a point on the vessel's vertical axis; its z does not matter");
+  v("radius", r.radius, Unit::metre, above(0), required, "inner radius of the vessel");
+  v("fit_from", r.fit_from, Unit::none, from_to_below(0, 1), optional,
+    "lower end of the fit, share of the bed's height at the wall");
+  v("fit_to", r.fit_to, Unit::none, above_to(0, 1), optional, "upper end of the fit, above fit_from");
+}
+
 /// The sections below [measurement.
 struct MeasurementDecks {
   DischargeDeck discharge;
@@ -149,6 +184,8 @@ struct MeasurementDecks {
   ScatteringDeck scattering;
   TiltOnsetDeck tilt_onset;
   SurfaceAngleDeck surface_angle;
+  BulkDensityDeck bulk_density;
+  RetainedSlopeDeck retained_slope;
 };
 
 template <class V>
@@ -158,6 +195,8 @@ void describe_measurements(V& v, MeasurementDecks& d) {
   v.section("scattering", d.scattering, optional, "count the grains that lie around the pile, seen from above");
   v.section("tilt_onset", d.tilt_onset, optional, "measure the tilt at which a particle begins to move");
   v.section("surface_angle", d.surface_angle, optional, "measure the slope of the bed in a rotating drum");
+  v.section("bulk_density", d.bulk_density, optional, "measure the density of the settled bed before it is let out");
+  v.section("retained_slope", d.retained_slope, optional, "measure the slope of the bed that stays in the vessel");
 }
 
 }  // namespace repose

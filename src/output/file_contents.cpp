@@ -66,16 +66,26 @@ void read_state(const Hdf5Reader& file, FileContents& contents) {
   }
 }
 
+/// How often each of the names is in a data set of texts; another one is `wrong`.
+std::vector<FileContents::Count> counted(const Hdf5Reader& file, const char* path,
+                                         const std::vector<std::string>& names, const char* wrong) {
+  std::vector<FileContents::Count> counts;
+  for (const std::string& name : names) counts.push_back({name, 0});
+  for (const std::string& text : file.read_text_rows(path)) {
+    const auto found =
+        std::find_if(counts.begin(), counts.end(), [&](const FileContents::Count& c) { return c.name == text; });
+    if (found == counts.end()) throw FileError(fmt::format("{}: \"{}\" is no {}", file.name(), text, wrong));
+    ++found->count;
+  }
+  return counts;
+}
+
 void read_grid(const Hdf5Reader& file, FileContents& contents) {
   contents.columns = file.read_texts("names", "/runs/parameters");
   contents.figures = file.read_texts("names", "/runs/figures");
-  for (const char* state : {"waiting", "running", "done", "plugged", "failed"}) contents.states.push_back({state, 0});
-  for (const std::string& state : file.read_text_rows("/runs/state")) {
-    const auto found = std::find_if(contents.states.begin(), contents.states.end(),
-                                    [&](const FileContents::Count& c) { return c.name == state; });
-    if (found == contents.states.end())
-      throw FileError(fmt::format("{}: \"{}\" is no state of a run", file.name(), state));
-    ++found->count;
+  contents.states = counted(file, "/runs/state", {"waiting", "running", "done", "plugged", "failed"}, "state of a run");
+  if (file.has("/runs/level")) {
+    contents.levels = counted(file, "/runs/level", file.read_texts("names", "/runs/level"), "level of the model");
   }
 }
 

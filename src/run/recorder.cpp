@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -248,8 +249,12 @@ Figures Recorder::measured(const Simulation& simulation, const ReadFile& read_fi
     if (kind.watch == nullptr && kind.is_enabled(deck)) of_grains.push_back(&kind);
   }
   if (of_grains.empty()) return figures;
-  FinishedState state{
-      .deck = deck, .grains = gather_grains(simulation), .mass = {}, .left = left, .directory = options_.directory};
+  GatheredGrains grains = gather_grains(simulation);
+  const FinishedState state{.deck = deck,
+                            .grains = std::move(grains.spheres),
+                            .mass = std::move(grains.mass),
+                            .left = left,
+                            .directory = options_.directory};
   agree_after_root(simulation.comm(), [&] {
     for (const MeasurementKind* kind : of_grains) {
       try {

@@ -220,6 +220,63 @@ class Calibrate(FolderTest):
         self.assertEqual(self.read("estimate.json", outputs[0]), self.read("estimate.json", outputs[1]))
         self.assertIn("0 runs in", self.calibrate(self.write(search), output=outputs[0]))
 
+    def levels(self, extra=""):
+        """A search over two levels of few grains."""
+        text = (SLIDING + "min = 0.1\nmax = 0.7\n" + RESTITUTION + "min = 0.2\nmax = 0.8\n" + MASS + RATE +
+                'discrepancy_share = 0.1\n[[level]]\nname = "small"\nset = ["particles.0.mass=0.02 g"]\nstart = 6\n'
+                '[[level]]\nname = "large"\n[adaptive]\nstart = 4\nbatch = 2\nbudget_core_hours = BUDGET\nhalf_width = 0.01\n')
+        return self.write(text.replace("BUDGET", extra or "0.0027"))
+
+    def test_a_search_over_levels_depends_on_nothing_but_its_runs(self):
+        outputs = [self.path(name) for name in ("one", "three")]
+        texts = [self.calibrate(self.levels(), ranks=ranks, output=output) for ranks, output in zip((1, 3), outputs)]
+        for name in ("grid.csv", "estimate.json"):
+            self.assertEqual(self.read(name, outputs[0]), self.read(name, outputs[1]))
+        for part in ("level small ", "level large ", "large = ", "small alone: ", "without the discrepancy of the model: "):
+            self.assertIn(part, texts[0])
+        rows = self.table(outputs[0])
+        counts = {level: sum(r["level"] == level for r in rows) for level in ("small", "large")}
+        self.assertGreater(len(rows), 20)  # the first design
+        self.assertEqual(counts["small"] + counts["large"], len(rows))
+        found = json.loads(self.read("estimate.json", outputs[0]))
+        spent = sum(level["core_hours"] for level in found["levels"])
+        self.assertLess(spent, 0.003)
+        self.assertEqual([level["runs"] for level in found["levels"]], [counts["small"], counts["large"]])
+        self.assertEqual(found["observables"][0]["links"][0]["below"], "small")
+        self.assertIn("verdict", found["without_discrepancy"])
+        for row in rows:
+            folder = os.path.join(outputs[0], "runs", row["level"], f"sliding={row['sliding']},restitution="
+                                  f"{row['restitution']},seed={row['seed']}")
+            with open(os.path.join(folder, "summary.json")) as file:
+                summary = json.load(file)
+            self.assertEqual(summary["discharged_mass_kg"], float(row["discharged_mass_kg"]))
+            self.assertIn("mass = 2e-05" if row["level"] == "small" else "mass = 3e-05", summary["deck"])
+        says = self.program.call("info", os.path.join(outputs[0], "grid.h5"))
+        self.assertEqual(says.returncode, 0, says.stderr)
+        self.assertIn(f"small {counts['small']}", says.stdout)
+        self.assertIn("0 runs in", self.calibrate(self.levels(), output=outputs[0]))
+        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
+                               capture_output=True, text=True)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+
+    def test_wrong_levels_are_refused(self):
+        def wrong(old, new, message):
+            with open(self.levels()) as file:
+                text = file.read()
+            self.assertIn(old, text)
+            with open(self.path("study.toml"), "w") as file:
+                file.write(text.replace(old, new, 1))
+            self.refused(self.path("study.toml"), message)
+        wrong('name = "large"', 'name = "small"', '"small" names another level')
+        wrong('name = "large"', 'name = "la/rge"', "la/rge")
+        wrong('set = ["particles.0.mass=0.02 g"]\n', "", 'is the same model as level "small"')
+        wrong("budget_core_hours = 0.0027\n", "", 'lacks "budget" or "budget_core_hours"')
+        wrong("budget_core_hours = 0.0027", "budget = 9", '"start" of all levels = 10')
+        wrong("discrepancy_share = 0.1", "discrepancy_share = 0.1\ndiscrepancy = 1e-6", "exclude each other")
+        wrong("discrepancy_share = 0.1", "discrepancy_share = -0.1", "discrepancy_share")
+        wrong("start = 6", "start = 3", "start")
+        wrong("particles.0.mass=0.02 g", "particles.0.masss=0.02 g", "masss")
+
     def test_sensitivity(self):
         text = ('figures = ["discharged_mass_kg", "discharge_time_s"]\n[morris]\ntrajectories = 2\n' + SLIDING +
                 "min = 0.1\nmax = 0.7\nfixed = 0.4\n" + RESTITUTION + "min = 0.2\nmax = 0.8\nfixed = 0.5\n")

@@ -26,10 +26,14 @@ REDUCED = {
     "validation.toml": ("particles.0.mass=0.02 g", *SHORT),
 }
 # Changes in the copies of studies.
+FEW_GRAINS = ", ".join(f'"{s}"' for s in (
+    "particles.0.mass=0.1 g", "phase.settle.max_time=20 ms", "phase.settle.min_time=1 ms",
+    "phase.discharge.max_time=80 ms", "phase.discharge.min_time=80 ms", "measurement.discharge.plugged_share=0.02"))
 CHANGED = {
-    "calibrate_quick.toml": ("seeds = 2", "seeds = 1\nset = [" + ", ".join(f'"{s}"' for s in (
-        "particles.0.mass=0.1 g", "phase.settle.max_time=20 ms", "phase.settle.min_time=1 ms",
-        "phase.discharge.max_time=80 ms", "phase.discharge.min_time=80 ms", "measurement.discharge.plugged_share=0.02")) + "]"),
+    "calibrate_quick.toml": [("seeds = 2", f"seeds = 1\nset = [{FEW_GRAINS}]")],
+    "calibrate_levels_quick.toml": [('"output.snapshot_interval=0"', FEW_GRAINS), ("seeds = 2", "seeds = 1"),
+                                    ("budget_core_hours = 0.2 ", "budget = 20 "),
+                                    ("angle_of_repose_deg", "discharge_time_s")],  # so few grains make no pile
 }
 # Words of the documents and what they stand for here, where the rest of the command can be run.
 STANDS_FOR = {"DECK": "input/discharge_quick.toml", "DIR": "results/a_run", "results/quick/run_0000089762.hdf": "results/quick/run_*.hdf",
@@ -102,13 +106,15 @@ class Workshop:
         for name in ("tools", "benchmarks"):
             os.symlink(os.path.join(source, name), os.path.join(folder, name))
         shutil.copytree(os.path.join(source, "input"), os.path.join(folder, "input"))
-        for name, (old, new) in CHANGED.items():
+        for name, changes in CHANGED.items():
             path = os.path.join(folder, "input", name)
             with open(path) as file:
                 text = file.read()
-            assert text.count(old) == 1, f"{name}: {old}"
+            for old, new in changes:
+                assert text.count(old) == 1, f"{name}: {old}"
+                text = text.replace(old, new)
             with open(path, "w") as file:
-                file.write(text.replace(old, new))
+                file.write(text)
         self.env = {**os.environ, "PATH": f"{programs}:{os.path.dirname(mpiexec)}:{os.environ['PATH']}", "PYTHONDONTWRITEBYTECODE": "1"}
 
     def say(self, words, env=(), timeout=LONGEST):

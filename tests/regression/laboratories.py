@@ -88,3 +88,15 @@ RESTITUTION = Study(
     figures=["scattering.area_1.count", "scattering.area_3.count"],
     # A wall of 0.7 throws so few grains about the pile (44 in area 1 at 0.75) that they do not tell.
     hidden=[(0.55, 0.45), (0.6, 0.35), (0.7, 0.5), (0.75, 0.4)])
+
+
+def misfit_at(surfaces, point):
+    """The misfit between the nodes of its lattice, bilinear."""
+    places = []
+    for axis, value in zip((surfaces["x"], surfaces["y"]), point):
+        place = (value - axis[0]) / (axis[-1] - axis[0]) * (len(axis) - 1)
+        low = min(int(place), len(axis) - 2)
+        places.append((low, place - low))
+    (i, u), (j, v) = places
+    t = surfaces["misfit"]
+    return ((1 - u) * (1 - v) * t[j][i] + u * (1 - v) * t[j][i + 1] + (1 - u) * v * t[j + 1][i] + u * v * t[j + 1][i + 1])

@@ -99,6 +99,28 @@ class Measure(FolderTest):
         with open(self.path("measured/measurement.json")) as text:
             return done.stdout, json.load(text)
 
+    def test_the_bed_in_the_vessel(self):
+        """Before it opens, by any number of ranks, and from the snapshot of that moment."""
+        self.deck = self.program.deck("discharge_quick.toml")
+        box = ('measurement.bulk_density={ min = ["-2 mm", "-2 mm", "1 mm"], max = ["2 mm", "2 mm", "20 mm"] }',
+               'measurement.retained_slope={ orifice_height = 0.0, radius = "4 mm" }', "output.snapshot_times=[0.05]",
+               "phase.settle.max_time=50 ms", "phase.discharge.max_time=250 ms")
+        one, three = (self.program.run(self.deck, self.path(str(ranks)), *box, ranks=ranks, options=("--quiet",))
+                      for ranks in (1, 3))
+        self.assertTrue(1700 < one["bulk_density_kg_m3"] < 2100, one["bulk_density_kg_m3"])
+        self.assertAlmostEqual(one["porosity"], 1.0 - one["bulk_density_kg_m3"] / 3592.0, delta=1e-12)
+        self.assertTrue(20 < one["retained_slope_deg"] < 60, one["retained_slope_deg"])
+        bed = ("bulk_density_kg_m3", "porosity", "bulk_density_top_m")
+        for key in (*bed, "retained_slope_deg"):
+            self.assertEqual(one[key], three[key], key)
+        text, again = self.measure(self.path(f"1/run_{one['phases'][0]['steps']:010d}.hdf"), *box)
+        for key in bed:
+            self.assertEqual(again[key], one[key], key)
+        self.assertIn(f"porosity {one['porosity']:.4g}", text)
+        text, again = self.measure(self.path(f"1/run_{one['steps']:010d}.hdf"), *box)
+        self.assertEqual(again["retained_slope_deg"], one["retained_slope_deg"])
+        self.assertIn("no settled bed over the whole box, so no bulk density", text)
+
     def test_a_run_measured_again(self):
         run = self.program.run(self.deck, self.path("run"), *REDUCED, ranks=2, options=("--quiet",))
         s = run["scattering"]

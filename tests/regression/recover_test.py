@@ -11,7 +11,7 @@ import math
 import os
 import sys
 
-from laboratories import FRICTION, RESTITUTION
+from laboratories import FRICTION, RESTITUTION, misfit_at
 from repose_runs import Program, cores, folder_of_runs
 
 STUDIES = {"friction": FRICTION, "restitution": RESTITUTION}
@@ -42,7 +42,7 @@ class Case:
         assert done.returncode == 0, done.stderr
         with open(os.path.join(output, "estimate.json")) as file:
             estimate = json.load(file)
-        misfit = at(estimate["surfaces"], truth)
+        misfit = misfit_at(estimate["surfaces"], truth)
         best = [f"{v:.3f} +- {e:.3f}" for p in estimate["points"][:1]
                 for v, e in zip(p["values"], [e if e is not None else math.inf for e in p["standard_errors"]])]
         print(f"{self.name} {truth}: {best or estimate['verdict']}, T = {misfit:.2f} of {estimate['limit']:.2f}, "
@@ -56,18 +56,6 @@ class Case:
             assert all(mean >= 200 for sample in values for mean, _ in sample), values
         output = self.calibrate("grid", self.study.grid(self.base, values[0]))
         return sum(self.found(truth, v, output) for truth, v in zip(self.study.hidden, values))
-
-
-def at(surfaces, point):
-    """The misfit between the nodes of its lattice, bilinear."""
-    places = []
-    for axis, value in zip((surfaces["x"], surfaces["y"]), point):
-        place = (value - axis[0]) / (axis[-1] - axis[0]) * (len(axis) - 1)
-        low = min(int(place), len(axis) - 2)
-        places.append((low, place - low))
-    (i, u), (j, v) = places
-    t = surfaces["misfit"]
-    return ((1 - u) * (1 - v) * t[j][i] + u * (1 - v) * t[j][i + 1] + (1 - u) * v * t[j + 1][i] + u * v * t[j + 1][i + 1])
 
 
 def main():

@@ -8,8 +8,9 @@ namespace repose {
 
 const std::vector<MeasurementKind>& measurement_kinds() {
   static const std::vector<MeasurementKind> kinds = {
-      discharge_measurement(),  angle_of_repose_measurement(), scattering_measurement(),
-      tilt_onset_measurement(), surface_angle_measurement(),
+      discharge_measurement(),      angle_of_repose_measurement(), scattering_measurement(),
+      tilt_onset_measurement(),     surface_angle_measurement(),   bulk_density_measurement(),
+      retained_slope_measurement(),
   };
   return kinds;
 }
@@ -31,14 +32,14 @@ Figures no_figures(Figure::From from) {
   return figures;
 }
 
-std::vector<Sphere> gather_grains(const Simulation& simulation) {
+GatheredGrains gather_grains(const Simulation& simulation) {
   const Communicator& comm = simulation.comm();
   const ParticleTable table =
       collect_particles(comm, simulation.materials(), simulation.particles(), simulation.planned());
   const std::vector<double> position = comm.gather(table.position);
   const std::vector<double> radius = comm.gather(table.radius);
-  std::vector<Sphere> grains(radius.size());
-  for (std::size_t i = 0; i < radius.size(); ++i) grains[i] = {vector_at(position, i), radius[i]};
+  GatheredGrains grains = {.spheres = std::vector<Sphere>(radius.size()), .mass = comm.gather(table.mass)};
+  for (std::size_t i = 0; i < radius.size(); ++i) grains.spheres[i] = {vector_at(position, i), radius[i]};
   return grains;
 }
 

@@ -92,6 +92,7 @@ struct MeasurementKind {
   void (*measure)(const FinishedState& state, Figures& figures) = nullptr;
   /// The figures as lines for a person; empty when there are none.
   std::string (*lines)(const Figures& figures) = nullptr;
+  std::string of = "pile";  ///< what has to be there to be measured
 };
 
 /// All of them, in the order in which they are made; a later one may look at the figures of an earlier one.
@@ -108,8 +109,15 @@ MeasurementKind angle_of_repose_measurement();
 MeasurementKind scattering_measurement();
 MeasurementKind tilt_onset_measurement();
 MeasurementKind surface_angle_measurement();
+MeasurementKind bulk_density_measurement();
+MeasurementKind retained_slope_measurement();
+
+struct GatheredGrains {
+  std::vector<Sphere> spheres;
+  std::vector<double> mass;  ///< kg
+};
 
 /// Collective. All grains of this moment on rank 0, in the order of their ids; nothing elsewhere.
-std::vector<Sphere> gather_grains(const Simulation& simulation);
+GatheredGrains gather_grains(const Simulation& simulation);
 
 }  // namespace repose

@@ -30,7 +30,7 @@ class SurfaceAngleWatch : public Watch {
   bool is_due(std::int64_t step) const override { return step >= first_ && (step - first_) % every_ == 0; }
 
   void sample(const Simulation& simulation) override {
-    const std::vector<Sphere> grains = gather_grains(simulation);
+    const std::vector<Sphere> grains = gather_grains(simulation).spheres;
     agree_after_root(simulation.comm(), [&] {
       const auto angle = surface_angle(simulation.deck().surface_angle, simulation.scene().gravity(), grains);
       if (!angle) return;

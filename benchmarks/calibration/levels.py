@@ -1,0 +1,94 @@
+#!/usr/bin/python3
+"""What a search over levels of a model costs against one on the level that counts alone; see README.md."""
+
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+from dataclasses import replace
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "tests" / "regression")]
+from laboratories import FRICTION, misfit_at  # noqa: E402
+from report import save  # noqa: E402
+
+BASE = ROOT / "input" / "discharge_mini.toml"
+# Phases end when the grains are at rest, which takes less than half of the deck's own times and is a discharge's end.
+SETTLED = ['phase.fill.until="kinetic_energy"', "phase.fill.kinetic_energy=1e-13", "phase.fill.min_time=0.1",
+           "phase.fill.max_time=0.25", 'phase.discharge.until="kinetic_energy"', "phase.discharge.kinetic_energy=1e-15",
+           "phase.discharge.min_time=0.25", "phase.discharge.max_time=1.1", "output.snapshot_times=[]"]
+STUDY = replace(FRICTION, sets=SETTLED, seeds=2)
+# Grains of 0.66 mm: a third of the number, steps longer by half, a fifth of the cost.
+LEVELS = """
+[[level]]
+name = "coarse"
+set = ["particles.0.diameter=0.66 mm", "particles.0.count=2774", "particles.0.spacing=1.155 mm", "time.step=7.5 us"]
+start = 14
+[[level]]
+name = "mini"
+start = 5
+"""
+
+
+class Searches:
+    def __init__(self, options):
+        self.options, self.work = options, options.work
+        self.work.mkdir(parents=True, exist_ok=True)
+
+    def calibrate(self, name, text):
+        """Does what is missing of the runs of a deck and estimates; returns their directory."""
+        deck, output = self.work / f"{name}.toml", self.work / name
+        deck.write_text(text)
+        done = subprocess.run(["mpirun", "-n", str(self.options.ranks), self.options.program, "calibrate", str(deck),
+                               "--output", str(output), "--quiet"], capture_output=True, text=True)
+        if done.returncode != 0:
+            raise SystemExit(done.stderr.strip())
+        return output
+
+    def search(self, name, laboratory, start, half_width, levels=""):
+        """Estimate and particle-steps of a search that stops at this half-width or at the budget."""
+        adaptive = {"start": start, "batch": 2, "budget_core_hours": self.options.budget, "half_width": half_width}
+        output = self.calibrate(name, STUDY.search(BASE, laboratory, adaptive) + levels)
+        return json.loads((output / "estimate.json").read_text()), particle_steps(output)
+
+
+def particle_steps(output):
+    summaries = [json.loads(path.read_text()) for path in output.glob("runs/**/summary.json")]
+    return sum(s["steps"] * s["particles"]["inserted"] for s in summaries)
+
+
+def row_of(search, hidden):
+    found, steps = search
+    return {"particle_steps": steps, "half_width": found["half_width"],
+            "values": [p["values"] for p in found["points"]], "covered": misfit_at(found["surfaces"], hidden) <= found["limit"],
+            "levels": found.get("levels"), "links": [o.get("links") for o in found["observables"]]}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", default=str(ROOT / "build" / "ci" / "src" / "repose"))
+    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "levels")
+    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "calibration")
+    parser.add_argument("--ranks", type=int, default=len(os.sched_getaffinity(0)))
+    parser.add_argument("--half-width", type=float, default=0.12, help="of the widest interval, at which both searches end")
+    parser.add_argument("--budget", type=float, default=5.0, help="core-hours of a search at most")
+    options = parser.parse_args()
+    searches = Searches(options)
+    values = STUDY.laboratory_values(searches.calibrate("hidden", STUDY.laboratories(BASE)))
+    rows = []
+    for number, (hidden, laboratory) in enumerate(zip(STUDY.hidden, values)):
+        over = searches.search(f"levels_{number}", laboratory, 9, options.half_width, LEVELS)
+        rows.append({"hidden": hidden, "laboratory": laboratory, "levels": row_of(over, hidden)})
+        print(rows[-1], flush=True)
+    for number, row in enumerate(rows):
+        alone = searches.search(f"alone_{number}", row["laboratory"], 9, options.half_width)
+        row["alone"] = row_of(alone, row["hidden"])
+        row["share"] = row["levels"]["particle_steps"] / row["alone"]["particle_steps"]
+        print(row["hidden"], f"{row['share']:.2f} of the cost", row["alone"], flush=True)
+        save(options.results / "levels.json", rows=rows)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibration/acquisition.h"
+#include "campaign/campaign.h"
+#include "deck/calibration_deck.h"
+
+namespace repose {
+
+/// Runs and what has become of them.
+struct DoneRuns {
+  std::vector<StudyRun> runs;
+  std::vector<RunRecord> records;  ///< on rank 0
+};
+
+/// Collective. Does the runs of a calibration, batch after batch.
+class CalibrationWork {
+ public:
+  /// Refers to its arguments. `request` names the calibration deck, whose text is given, and the directory; its
+  /// overrides are of all base decks.
+  CalibrationWork(const Communicator& world, const CalibrationDeck& deck, const std::string& text,
+                  const RunRequest& request, const StopAsked& stop_asked);
+
+  /// The runs at all these points; what is complete is not done again. DeckError, FileError, Stopped.
+  DoneRuns at(std::span<const LevelPoint> points);
+
+  const Communicator& world() const { return world_; }
+  const RunLog& log() const { return plan_.log; }
+  const CampaignEffort& effort() const { return effort_; }  ///< of all batches
+
+ private:
+  const Communicator& world_;
+  const CalibrationDeck& deck_;
+  const std::vector<std::string>& overrides_;
+  const StopAsked& stop_asked_;
+  CampaignPlan plan_;
+  CampaignEffort effort_;
+};
+
+}  // namespace repose

@@ -1,0 +1,123 @@
+#include "campaign/level_report.h"
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "calibration/level_surface.h"
+#include "campaign/observables.h"
+#include "campaign/search.h"
+#include "files/json_text.h"
+
+namespace repose {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct LevelRuns {
+  std::vector<StudyRun> runs;
+  std::vector<RunRecord> records;
+  std::size_t points = 0;
+};
+
+LevelRuns runs_of_level(std::size_t level, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+  LevelRuns own;
+  std::set<std::vector<double>> points;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].level != level) continue;
+    own.runs.push_back(runs[i]);
+    own.records.push_back(records[i]);
+    points.insert(runs[i].values);
+  }
+  own.points = points.size();
+  return own;
+}
+
+OtherEstimate other_estimate(std::string what, Misfit misfit, double confidence) {
+  Estimate found = estimate(misfit, confidence);
+  return {std::move(what), std::move(misfit), std::move(found)};
+}
+
+/// Null without levels.
+const LevelSurface* level_surface(const Misfit& misfit, Index observable) {
+  return dynamic_cast<const LevelSurface*>(&misfit.surface(observable));
+}
+
+}  // namespace
+
+OtherEstimate first_level_alone(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                                std::span<const RunRecord> records) {
+  CalibrationDeck first = deck;
+  first.levels.resize(1);
+  const LevelRuns own = runs_of_level(0, runs, records);
+  return other_estimate(deck.levels[0].name + " alone", misfit_of(first, own.runs, own.records), deck.confidence);
+}
+
+OtherEstimate without_discrepancy(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                                  std::span<const RunRecord> records) {
+  CalibrationDeck exact = deck;
+  for (ObservableDeck& o : exact.observables) o.discrepancy = o.discrepancy_share = 0.0;
+  return other_estimate("without the discrepancy of the model", misfit_of(exact, runs, records), deck.confidence);
+}
+
+bool has_discrepancy(const CalibrationDeck& deck) {
+  for (const ObservableDeck& o : deck.observables) {
+    if (o.model_deviation() > 0.0) return true;
+  }
+  return false;
+}
+
+Json levels_json(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+  Json list = Json::array();
+  for (std::size_t level = 0; level < deck.levels.size(); ++level) {
+    const LevelRuns own = runs_of_level(level, runs, records);
+    list.push_back({{"name", deck.levels[level].name},
+                    {"points", own.points},
+                    {"runs", own.runs.size()},
+                    {"core_hours", core_hours(deck, own.records)}});
+  }
+  return list;
+}
+
+std::string levels_text(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                        std::span<const RunRecord> records) {
+  std::string text;
+  for (std::size_t level = 0; level < deck.levels.size(); ++level) {
+    const LevelRuns own = runs_of_level(level, runs, records);
+    text += fmt::format("level {:20} {} points, {} runs, {:.3g} core-hours at {:.3g} particle-steps/s\n",
+                        deck.levels[level].name, own.points, own.runs.size(), core_hours(deck, own.records),
+                        deck.adaptive.core_speed);
+  }
+  return text;
+}
+
+Json links_json(const CalibrationDeck& deck, const Misfit& misfit, Index observable) {
+  Json list = Json::array();
+  const LevelSurface* surface = level_surface(misfit, observable);
+  for (std::size_t level = 1; surface != nullptr && level < deck.levels.size(); ++level) {
+    list.push_back({{"level", deck.levels[level].name},
+                    {"below", deck.levels[level - 1].name},
+                    {"rho", json_number(surface->rho(level))},
+                    {"rho_standard_error", json_number(surface->rho_deviation(level))},
+                    {"explained", json_number(surface->explained(level))}});
+  }
+  return list;
+}
+
+std::string links_text(const CalibrationDeck& deck, const Misfit& misfit) {
+  std::string text;
+  for (Index k = 0; k < misfit.observables(); ++k) {
+    const LevelSurface* surface = level_surface(misfit, k);
+    for (std::size_t level = 1; surface != nullptr && level < deck.levels.size(); ++level) {
+      text += fmt::format("{:26} {} = {:.3g} (+- {:.2g}) x {} + a rest; {:.0f} % of it explained\n", surface->name(),
+                          deck.levels[level].name, surface->rho(level), surface->rho_deviation(level),
+                          deck.levels[level - 1].name, 100.0 * surface->explained(level));
+    }
+  }
+  return text;
+}
+
+}  // namespace repose

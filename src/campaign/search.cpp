@@ -1,0 +1,119 @@
+#include "campaign/search.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "calibration/start_design.h"
+#include "campaign/estimate_report.h"
+#include "campaign/expected_cost.h"
+#include "campaign/observables.h"
+#include "comm/agreement.h"
+
+namespace repose {
+namespace {
+
+using Points = std::vector<LevelPoint>;
+
+constexpr double seconds_per_hour = 3600.0;
+
+/// Six digits are more than a run can tell, and names of folders stay short.
+Points rounded(Points points) {
+  for (LevelPoint& point : points) {
+    for (double& value : point.values) value = std::stod(fmt::format("{:.6g}", value));
+  }
+  return points;
+}
+
+/// Collective. The points of rank 0 on all ranks.
+void broadcast(const Communicator& world, Points& points, std::size_t parameters) {
+  std::vector<double> values;
+  for (const LevelPoint& point : points) {
+    values.push_back(static_cast<double>(point.level));
+    values.insert(values.end(), point.values.begin(), point.values.end());
+  }
+  world.broadcast(values);
+  points.clear();
+  const auto width = static_cast<std::ptrdiff_t>(parameters);
+  for (auto at = values.begin(); at != values.end(); at += 1 + width) {
+    points.push_back({static_cast<std::size_t>(*at), {at + 1, at + 1 + width}});
+  }
+}
+
+Points first_design(const CalibrationDeck& deck, const std::vector<ParameterRange>& ranges) {
+  constexpr std::uint64_t design_seed = 1;
+  Points points;
+  for (std::size_t level = 0; level < deck.level_count(); ++level) {
+    const auto count = static_cast<std::size_t>(start_of_level(deck, level));
+    for (std::vector<double>& values : start_design(ranges, count, design_seed)) {
+      points.push_back({level, std::move(values)});
+    }
+  }
+  return rounded(std::move(points));
+}
+
+/// What the next batch may be, after these runs.
+BatchPlan batch_after(const CalibrationDeck& deck, const DoneRuns& done, std::size_t points) {
+  const AdaptiveDeck& a = deck.adaptive;
+  BatchPlan batch;
+  batch.points = static_cast<std::size_t>(a.batch);
+  if (a.budget > 0) batch.points = std::min(batch.points, static_cast<std::size_t>(a.budget) - points);
+  for (std::size_t level = 0; level < deck.level_count(); ++level) {
+    batch.seeds.push_back(static_cast<std::size_t>(study_of_level(deck, level).seeds));
+  }
+  batch.cost = [](const LevelPoint&) { return 1.0; };
+  const bool in_core_hours = !std::isnan(a.budget_core_hours);
+  if (deck.levels.empty() && !in_core_hours) return batch;
+  batch.cost = [&deck, &done, seeds = batch.seeds](const LevelPoint& point) {
+    return static_cast<double>(seeds[point.level]) *
+           expected_particle_steps(done.runs, done.records, deck.study.parameters, point.level, point.values) /
+           (deck.adaptive.core_speed * seconds_per_hour);
+  };
+  if (in_core_hours) batch.budget = a.budget_core_hours - core_hours(deck, done.records);
+  return batch;
+}
+
+std::string counts_of(const CalibrationDeck& deck, const Points& points) {
+  if (deck.levels.empty()) return fmt::format("{} points", points.size());
+  std::string text;
+  for (std::size_t level = 0; level < deck.levels.size(); ++level) {
+    const auto count = std::count_if(points.begin(), points.end(), [&](const auto& p) { return p.level == level; });
+    text += fmt::format("{}{} {}", level == 0 ? "" : ", ", count, deck.levels[level].name);
+  }
+  return text + " points";
+}
+
+}  // namespace
+
+double core_hours(const CalibrationDeck& deck, std::span<const RunRecord> records) {
+  double sum = 0.0;
+  for (const RunRecord& record : records) sum += record.particle_steps;
+  return sum / (deck.adaptive.core_speed * seconds_per_hour);
+}
+
+DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
+  const std::vector<ParameterRange> ranges = ranges_of(deck.study);
+  Points points = first_design(deck, ranges);
+  int narrow = 0;
+  while (true) {
+    DoneRuns done = work.at(points);
+    Points more;
+    agree_after_root(work.world(), [&] {
+      const Misfit misfit = misfit_of(deck, done.runs, done.records);
+      const Estimate now = estimate(misfit, deck.confidence);
+      narrow = now.half_width && *now.half_width <= deck.adaptive.half_width ? narrow + 1 : 0;
+      work.log().say(fmt::format("{}: {}", counts_of(deck, points), progress_of(now)));
+      const BatchPlan batch = batch_after(deck, done, points.size());
+      if (narrow >= 2 || batch.points == 0) return;
+      more = rounded(next_level_points(misfit, now, batch));
+    });
+    broadcast(work.world(), more, ranges.size());
+    if (more.empty()) return done;
+    points.insert(points.end(), more.begin(), more.end());
+  }
+}
+
+}  // namespace repose

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "campaign/calibration_work.h"
+
+namespace repose {
+
+/// Collective. Runs at points of the levels that are decided batch after batch, each from the complete batches before
+/// alone: so neither ranks nor timing can change them. Costs are counted in grains and steps, not by the clock, for the
+/// same reason. Ends when two estimates in a row are narrow enough, or at the budget.
+DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work);
+
+/// Core-hours of runs that are complete, at the deck's speed of a core.
+double core_hours(const CalibrationDeck& deck, std::span<const RunRecord> records);
+
+}  // namespace repose

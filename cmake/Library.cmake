@@ -16,7 +16,8 @@ option(REPOSE_SANITIZE "Build with the address and undefined-behaviour sanitizer
 # One build for both: the sources are instrumented once. Coverage, by which the fuzzer chooses, only where a target leads.
 option(REPOSE_FUZZ "Build the fuzz targets with clang's libFuzzer, too" OFF)
 set(FUZZED_ROOMS base comm files deck scene domain measurement output thermal)
-# The compiler works longest on what it instruments and optimises; here no sanitized test spends its time.
+# The compiler works longest on what it optimises and instruments; here no run and no test spends its time.
+set(COLD_ROOMS deck files pictures output run campaign commands)
 set(BRIEF_ROOMS pictures run campaign commands)
 if(REPOSE_SANITIZE)
   set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
@@ -33,6 +34,9 @@ function(repose_library name)
   target_link_libraries(repose_${name} PUBLIC repose_flags ${arg_LINK})
   if(REPOSE_FUZZ AND name IN_LIST FUZZED_ROOMS)
     target_compile_options(repose_${name} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+  if(name IN_LIST COLD_ROOMS)
+    target_compile_options(repose_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   if(REPOSE_SANITIZE AND name IN_LIST BRIEF_ROOMS)
     target_compile_options(repose_${name} PRIVATE -O0)

@@ -32,7 +32,7 @@ Deck wet_deck() {
 
 const double breaking_distance = (1.0 + pi / 6.0) * 1e-5;
 
-double force_on(const Scene& scene, std::size_t i) {
+double force_on(Scene& scene, std::size_t i) {
   const Particles& p = scene.simulation().particles();
   return static_cast<double>(p.sum[i].force[2]) / p.record[i].force_scale;
 }

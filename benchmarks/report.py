@@ -12,9 +12,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 def machine():
     with open("/proc/cpuinfo") as file:
         lines = [[part.strip() for part in line.split(":", 1)] for line in file if ":" in line]
+    first = dict(reversed(lines))  # of each key the first value
     names = [value for key, value in lines if key == "model name"]
-    caches = [value for key, value in lines if key == "cache size"]
-    return {"processor": names[0] if names else platform.processor(), "cores": len(names), "cache": caches[0] if caches else "unknown"}
+    processor = platform.processor()
+    if names:  # the name alone does not tell one generation from another
+        processor = f"{names[0]}, family {first.get('cpu family')}, model {first.get('model')}"
+    return {"processor": processor, "cores": len(names), "cache": first.get("cache size", "unknown")}
 
 
 def commit():

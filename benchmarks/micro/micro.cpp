@@ -67,7 +67,7 @@ void distance_filter(benchmark::State& state) {
 BENCHMARK(distance_filter)->Unit(benchmark::kMicrosecond);
 
 void contact_kernel(benchmark::State& state, VectorLevel level) {
-  if (best_vector_level() < level) return state.SkipWithError("this processor lacks the level");
+  if (!is_available(level)) return state.SkipWithError("this processor lacks the level");
   PairLists pairs = bed->simulation.pairs();
   Particles particles = bed->simulation.particles();
   const PairParameters& pair = bed->simulation.materials().pair(0, 0);
@@ -82,6 +82,7 @@ void contact_kernel(benchmark::State& state, VectorLevel level) {
 }
 BENCHMARK_CAPTURE(contact_kernel, sse2, VectorLevel::sse2)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(contact_kernel, avx2, VectorLevel::avx2)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(contact_kernel, avx512x4, VectorLevel::avx512x4)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(contact_kernel, avx512, VectorLevel::avx512)->Unit(benchmark::kMicrosecond);
 
 void wall_kernel(benchmark::State& state) {

@@ -43,6 +43,7 @@ class Repose:
         with open(pathlib.Path(folder, "series.csv")) as file:
             energy = float(list(csv.DictReader(file))[-1]["translational_energy_J"])
         figures = {"kinetic_energy_J": energy, "wall_seconds": summary["wall_seconds"],
+                   "vector_level": summary["build"]["vector_level"],
                    "inside": summary["particles"]["inside"], **summary["timing"]}
         if summary["retained_mass_kg"] is not None and summary["discharged_mass_kg"] is not None:
             total = summary["retained_mass_kg"] + summary["discharged_mass_kg"]

@@ -12,7 +12,7 @@ import peers
 from plans import Plan
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from report import ROOT, save  # noqa: E402
+from report import ROOT, machine, save  # noqa: E402
 
 CODES = ["repose", "liggghts-native", "liggghts-debian", "lammps"]
 
@@ -92,8 +92,10 @@ def short(result):
 
 
 def print_spread(names, results):
-    """Prints the spread of the speeds and of the ratios, and returns them."""
+    """Prints the processor, the spread of the speeds and of the ratios, and returns the spreads."""
     key = "particle_steps_per_cpu_second"
+    levels = {r["figures"]["vector_level"] for r in results.get("repose", [])}
+    print(f"\n{machine()['processor']}" + "".join(f"; repose with {level}" for level in sorted(levels)))
     summary = {"speed": {name: measure.spread([r[key] for r in results[name]]) for name in names}, "ratio": {}}
     print(f"\n{'million particle-steps per cpu-second':40s}{'min':>8s}{'median':>8s}{'max':>8s}")
     for name, values in summary["speed"].items():

@@ -31,7 +31,7 @@ void StudyRequest::declare(Options& options, const std::string& name, const std:
   options.argument(name, file, meaning);
   declare_overrides(options, overrides);
   options.option("--output", output, "DIR", "directory of the results", Options::Need::must);
-  options.choice("--vector-level", vector_level, {"auto", "sse2", "avx2", "avx512"},
+  options.choice("--vector-level", vector_level, {"auto", "sse2", "avx2", "avx512x4", "avx512"},
                  "vector instructions; they change the speed, never the result");
   options.parsed(
       "--time-limit", [this](const std::string& limit) { time_limit = seconds_of_time_limit(limit); }, "HH:MM:SS",

@@ -112,27 +112,9 @@ template <Lanes Real>
 [[gnu::always_inline]] inline void add_columns(const Vector3<Octet>& force, const Vector3<Octet>& torque,
                                                ForceSum* const (&sum)[8]) {
   const auto padding = broadcast<Octet>(fixed_point_offset);
-#ifdef SCATTER32
-  for (int half = 0; half < 2; ++half) {
-    const Vector3<Octet>& v = half == 0 ? force : torque;
-    const Octet xy[] = {__builtin_shufflevector(v.x, v.y, 0, 8, 2, 10, 4, 12, 6, 14),
-                        __builtin_shufflevector(v.x, v.y, 1, 9, 3, 11, 5, 13, 7, 15)};
-    const Octet zw[] = {__builtin_shufflevector(v.z, padding, 0, 8, 2, 10, 4, 12, 6, 14),
-                        __builtin_shufflevector(v.z, padding, 1, 9, 3, 11, 5, 13, 7, 15)};
-    Quad r[8];
-    for (int k = 0; k < 2; ++k) {
-      r[k] = __builtin_shufflevector(xy[k], zw[k], 0, 1, 8, 9);
-      r[k + 2] = __builtin_shufflevector(xy[k], zw[k], 2, 3, 10, 11);
-      r[k + 4] = __builtin_shufflevector(xy[k], zw[k], 4, 5, 12, 13);
-      r[k + 6] = __builtin_shufflevector(xy[k], zw[k], 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 8; ++k) add_offset(r[k], half == 0 ? sum[k]->force : sum[k]->torque);
-  }
-#else
   Octet row[] = {force.x, force.y, force.z, padding, torque.x, torque.y, torque.z, padding};
   transpose(row);
   for (int k = 0; k < 8; ++k) add_offset(row[k], sum[k]->force);
-#endif
 }
 
 /// Adds force and torque, already scaled and offset, of all lanes. `difference` collects what in_fixed_point_range asks

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "base/error.h"
 #include "base/vector_level.h"
 
 namespace repose::test {
@@ -10,11 +9,8 @@ namespace repose::test {
 /// The vector levels of this processor.
 inline std::vector<VectorLevel> levels_here() {
   std::vector<VectorLevel> levels;
-  for (const char* name : {"sse2", "avx2", "avx512"}) {
-    try {
-      levels.push_back(vector_level_from(name));
-    } catch (const DeckError&) {  // this processor lacks it
-    }
+  for (const VectorLevel level : {VectorLevel::sse2, VectorLevel::avx2, VectorLevel::avx512x4, VectorLevel::avx512}) {
+    if (is_available(level)) levels.push_back(level);
   }
   return levels;
 }

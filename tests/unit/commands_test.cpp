@@ -114,7 +114,7 @@ TEST(ParseCommandLine, MistakesAreOneLine) {
       {{"compare", "a.csv", "--deck", "a.toml"}, "FILES: At least 2 required but received 1; see repose --help"},
       {{"measure", "--deck", "a.toml"}, "FILE is required; see repose --help"},
       {{"run", "a.toml", "--output", "o", "--vector-level", "mmx"},
-       "--vector-level: mmx not in {auto,sse2,avx2,avx512}; see repose --help"},
+       "--vector-level: mmx not in {auto,sse2,avx2,avx512x4,avx512}; see repose --help"},
       {{"run", "a.toml", "--output", "o", "--time-limit", "90"},
        "--time-limit 90: HH:MM:SS or D-HH:MM:SS was expected"},
       {{"run", "a.toml", "--output", "o", "--time-limit", "01:60:00"},

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 # Per level the registers that its square roots and divisions must use.
-LEVELS = {"run_plain": "xmm", "run_avx2": "ymm", "run_avx512": "zmm"}
+LEVELS = {"run_plain": "xmm", "run_avx2": "ymm", "run_x4_avx512": "ymm", "run_avx512": "zmm"}
 # The number of functions each loop is compiled to: one for the thesis's law and one for that with options, each for
 # every shape of a face.
 LOOPS = {"evaluate_pairs": 2, "evaluate_walls": 3, "evaluate_faces": 6}

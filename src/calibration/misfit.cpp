@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "calibration/level_surface.h"
@@ -135,7 +135,8 @@ Vector Misfit::residuals(const Vector& point) const {
     // Welch and Satterthwaite's degrees of freedom of a sum of two variances.
     const Target t = target(k, point);
     const double surface = scatter(i, i) - t.variance - t.discrepancy;
-    const double doubt = t.variance * t.variance / laboratory_[k].freedom + surface * surface / surfaces_[k]->freedom(point);
+    const double doubt =
+        t.variance * t.variance / laboratory_[k].freedom + surface * surface / surfaces_[k]->freedom(point);
     z[i] = normal_equivalent(z[i], scatter(i, i) * scatter(i, i) / doubt);
   }
   Matrix correlation = deviation.cwiseInverse().asDiagonal() * scatter * deviation.cwiseInverse().asDiagonal();

@@ -1,6 +1,6 @@
 #include "campaign/calibrate.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "campaign/calibration_work.h"

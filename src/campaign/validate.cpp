@@ -13,6 +13,7 @@
 #include "files/directory.h"
 #include "files/json_text.h"
 #include "files/shared_file.h"
+#include "output/summary.h"
 #include "run/summary_figures.h"
 
 namespace repose {

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "commands/command.h"
 #include "deck/read_deck.h"

@@ -1,7 +1,8 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "commands/command.h"
 #include "commands/study_request.h"
+#include "output/summary.h"
 #include "run/measurements/measurement.h"
 
 namespace repose {

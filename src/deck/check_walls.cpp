@@ -2,7 +2,7 @@
 #include <cmath>
 #include <set>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "deck/check_deck.h"
 #include "deck/nearest.h"

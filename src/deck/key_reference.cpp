@@ -2,10 +2,10 @@
 #include <array>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "deck/resolved_deck.h"
 #include "deck/deck.h"
+#include "deck/resolved_deck.h"
 #include "deck/value_text.h"
 
 namespace repose {

@@ -1,6 +1,6 @@
 #include "deck/parse_toml.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "deck/nesting.h"

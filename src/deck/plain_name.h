@@ -4,7 +4,7 @@
 #include <cctype>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "deck/deck_errors.h"
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <span>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/math.h"
 

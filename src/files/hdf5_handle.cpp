@@ -1,6 +1,6 @@
 #include "files/hdf5_handle.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "files/hdf5_file.h"
 #include "output/vector_rows.h"

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <span>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "files/csv_file.h"
 #include "output/vector_rows.h"

@@ -1,6 +1,6 @@
 #include "output/run_log.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace repose {
 

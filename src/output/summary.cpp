@@ -57,7 +57,7 @@ Json phases_json(const std::vector<PhaseSummary>& phases) {
 
 Json timing_json(const Summary& summary) {
   Json stages = Json::object();
-  for (const StageSummary& stage : summary.stages) {
+  for (const StageSummary& stage : summary.cost.stages) {
     stages[stage.name] = {{"mean_s", json_number(stage.mean_seconds)}, {"max_s", json_number(stage.max_seconds)}};
   }
   return {{"loop_wall_s", json_number(summary.loop_wall_seconds)},
@@ -69,12 +69,12 @@ Json timing_json(const Summary& summary) {
 }
 
 Json lists_json(const Summary& summary) {
-  return {{"rebuilds", summary.list_rebuilds},
-          {"inner_selections", summary.inner_selections},
-          {"listed_pairs_per_particle", json_number(summary.listed_pairs_per_particle)},
-          {"evaluated_pairs_per_particle", json_number(summary.evaluated_pairs_per_particle)},
-          {"ghosts", summary.ghosts},
-          {"most_ghosts_of_a_rank", summary.most_ghosts_of_a_rank}};
+  return {{"rebuilds", summary.cost.list_rebuilds},
+          {"inner_selections", summary.cost.inner_selections},
+          {"listed_pairs_per_particle", json_number(summary.cost.listed_pairs_per_particle)},
+          {"evaluated_pairs_per_particle", json_number(summary.cost.evaluated_pairs_per_particle)},
+          {"ghosts", summary.cost.ghosts},
+          {"most_ghosts_of_a_rank", summary.cost.most_ghosts_of_a_rank}};
 }
 
 Json spread_json(const RankSpread& spread) {
@@ -95,8 +95,8 @@ Json parallel_json(const ParallelSummary& p) {
 }
 
 Json memory_json(const Summary& summary) {
-  return {{"peak_bytes", summary.memory_peak_bytes},
-          {"bytes_per_particle", json_number(summary.memory_bytes_per_particle)}};
+  return {{"peak_bytes", summary.cost.memory_peak_bytes},
+          {"bytes_per_particle", json_number(summary.cost.memory_bytes_per_particle)}};
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ std::string summary_json(const Summary& summary) {
       {"particle_steps_per_second", json_number(summary.particle_steps_per_second)},
       {"timing", timing_json(summary)},
       {"lists", lists_json(summary)},
-      {"parallel", parallel_json(summary.parallel)},
+      {"parallel", parallel_json(summary.cost.parallel)},
       {"memory", memory_json(summary)},
       {"build", json_of(summary.build)},
       {"deck", summary.deck},

@@ -8,8 +8,8 @@
 #include "comm/communicator.h"
 #include "deck/deck.h"
 #include "output/checkpoint_reader.h"
+#include "output/run_cost.h"
 #include "output/run_log.h"
-#include "output/summary.h"
 
 namespace repose {
 

@@ -1,6 +1,6 @@
 #include "run/guard_report.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "files/step_file.h"
 #include "output/snapshot.h"

@@ -4,7 +4,7 @@
 
 #include "comm/communicator.h"
 #include "deck/deck.h"
-#include "run/recorder.h"
+#include "run/output_options.h"
 #include "simulation/guards.h"
 
 namespace repose {

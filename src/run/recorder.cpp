@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "base/wall_clock.h"
@@ -274,7 +274,7 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
   const double cpu_seconds = static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC;
   s.loop_cpu_seconds = comm.sum(cpu_seconds);
   s.particle_steps_per_cpu_second = particle_steps_ / s.loop_cpu_seconds;
-  summarise_cost(simulation, cpu_seconds, s);
+  s.cost = loop_cost(simulation, cpu_seconds);
   s.checkpoints = checkpoints;
   write_snapshot_now(simulation);
   if (!phases_.empty()) write_series_row(simulation, phases_.back().name);

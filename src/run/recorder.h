@@ -7,27 +7,17 @@
 #include <type_traits>
 
 #include "base/wall_clock.h"
-#include "output/build_info.h"
-#include "output/run_log.h"
 #include "output/snapshot_series.h"
 #include "output/summary.h"
 #include "output/time_series.h"
 #include "output/trace.h"
 #include "run/measurements/measurement.h"
+#include "run/output_options.h"
 #include "run/wall_load_series.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
 
 namespace repose {
-
-/// Where and how a run's results go.
-struct OutputOptions {
-  std::string directory;
-  std::string resolved_deck;
-  BuildInfo build;
-  RunLog log;
-  bool restart = false;  ///< go on from the newest checkpoint in the directory, if there is one
-};
 
 /// What a run has cost so far, over all processes that worked on it one after the other.
 struct Effort {

@@ -1,12 +1,16 @@
 #pragma once
 
+#include "base/vector_level.h"
 #include "comm/communicator.h"
 #include "deck/deck.h"
-#include "run/recorder.h"
+#include "files/read_file.h"
+#include "run/output_options.h"
 #include "run/stop_request.h"
 #include "scene/insertion/insertion.h"
 
 namespace repose {
+
+struct Summary;
 
 /// Collective. Runs a checked deck from its first phase, or from a checkpoint, to its last and writes everything it
 /// asks for to the output directory. The summary is complete on rank 0. DeckError, PhysicsError or FileError on all

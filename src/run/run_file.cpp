@@ -4,6 +4,7 @@
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "files/shared_file.h"
+#include "output/summary.h"
 #include "run/checkpoints.h"
 #include "run/finished_run.h"
 

@@ -8,6 +8,7 @@
 #include "../unit/output_samples.h"
 #include "base/error.h"
 #include "output/snapshot_reader.h"
+#include "output/summary.h"
 #include "run/run.h"
 #include "support/scenes.h"
 

@@ -11,6 +11,7 @@
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "files/directory_lock.h"
+#include "output/summary.h"
 #include "run/checkpoints.h"
 #include "run/run.h"
 

@@ -7,6 +7,7 @@
 #include "../unit/output_samples.h"
 #include "base/error.h"
 #include "comm/agreement.h"
+#include "output/summary.h"
 #include "run/run.h"
 #include "support/scenes.h"
 

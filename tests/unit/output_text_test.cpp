@@ -160,7 +160,7 @@ TEST_F(TextOutputTest, SummaryHasEveryKeyAndNoNan) {
 
 TEST_F(TextOutputTest, ParallelFiguresOfASummary) {
   Summary summary = sample_summary();
-  ParallelSummary& p = summary.parallel;
+  ParallelSummary& p = summary.cost.parallel;
   p.bisections = 3;
   p.imbalance = 1.125;
   p.loop_cpu_seconds = {1.0, 2.0, 3.0};

@@ -1,6 +1,6 @@
 #include "measurement/angle_of_repose.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "measurement/pile.h"
 #include "pictures/silhouette_picture.h"

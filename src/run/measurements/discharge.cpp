@@ -1,6 +1,6 @@
 #include "measurement/discharge.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "measurement/discharged_mass.h"
 #include "run/measurements/measurement.h"

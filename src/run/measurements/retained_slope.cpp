@@ -1,6 +1,6 @@
 #include "measurement/retained_slope.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/math.h"
 #include "run/measurements/measurement.h"

@@ -1,6 +1,6 @@
 #include "measurement/scattering.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "files/json_text.h"
 #include "pictures/top_view_picture.h"

@@ -1,6 +1,6 @@
 #include "scene/insertion/grain_sizes.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "base/philox.h"

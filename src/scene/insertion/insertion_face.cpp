@@ -4,14 +4,14 @@
 #include <cmath>
 #include <variant>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 
 namespace repose {
 namespace {
 
-constexpr double rounding = 1e-9;  // relative: a sphere that just fits does
+constexpr double rounding = 1e-9;    // relative: a sphere that just fits does
 constexpr double flat_share = 1e-6;  // relative: files have single precision
 
 InsertionFace face_of_mesh(const TriangleMesh& mesh) {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/math.h"
 #include "scene/walls/motion.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <Eigen/Sparse>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 

@@ -1,6 +1,8 @@
 #include "thermal/plane_source/tps_deck.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
+
+#include "thermal/tool_deck.h"
 
 namespace repose::thermal {
 

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "thermal/plane_source/synthetic_transient.h"
 #include "thermal/plane_source/tps_criteria.h"
-#include "thermal/tool.h"
+#include "thermal/tool_input.h"
 
 namespace repose::thermal {
 

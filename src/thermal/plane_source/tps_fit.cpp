@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/distributions.h"
 #include "base/error.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "thermal/tool.h"
+#include "thermal/tool_input.h"
 
 namespace repose::thermal {
 

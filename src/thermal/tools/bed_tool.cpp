@@ -2,11 +2,12 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "thermal/beds/air.h"
 #include "thermal/beds/bed_conductivity.h"
 #include "thermal/beds/temperatures.h"
+#include "thermal/tool_deck.h"
 
 namespace repose::thermal {
 

@@ -4,12 +4,13 @@
 #include <limits>
 #include <map>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "files/text_table.h"
 #include "thermal/equivalence.h"
 #include "thermal/moments.h"
+#include "thermal/tool_deck.h"
 
 namespace repose::thermal {
 

@@ -3,10 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "thermal/beds/air.h"
 #include "thermal/beds/mixture.h"
+#include "thermal/tool_deck.h"
 
 namespace repose::thermal {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "output/snapshot_reader.h"
@@ -13,6 +13,7 @@
 #include "thermal/beds/gap_conductance.h"
 #include "thermal/beds/network.h"
 #include "thermal/beds/temperatures.h"
+#include "thermal/tool_deck.h"
 
 namespace repose::thermal {
 

@@ -3,9 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "thermal/plane_source/sensor_correction.h"
+#include "thermal/tool_deck.h"
 
 namespace repose::thermal {
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "deck/key.h"
+#include "deck/read_described.h"
+#include "thermal/tool_input.h"
+
+namespace repose::thermal {
+
+/// As read_described.
+template <class D, class Check>
+D read_tool_deck(const ToolInput& input, Check&& check) {
+  return read_described<D>(input.deck.bytes, input.deck.name, input.overrides, check);
+}
+
+}  // namespace repose::thermal

@@ -1,6 +1,5 @@
 #include "output/trace.h"
 
-#include <iterator>
 #include <utility>
 
 #include <fmt/core.h>
@@ -28,7 +27,7 @@ Trace::Trace(std::string path, Existing existing)
 void Trace::append(std::int64_t step, std::span<const TraceRow> rows) {
   std::string lines;
   for (const TraceRow& row : rows) {
-    fmt::format_to(std::back_inserter(lines), "{},{}", step, row.id);
+    lines += fmt::format("{},{}", step, row.id);
     for (const Vec3& v : {row.position, row.velocity, row.angular_velocity}) {
       lines += ',' + shortest_text(v.x) + ',' + shortest_text(v.y) + ',' + shortest_text(v.z);
     }

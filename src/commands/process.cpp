@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "base/kept_memory.h"
+
 namespace repose {
 namespace {
 
@@ -19,6 +21,7 @@ bool is_launched() {
 }  // namespace
 
 void Process::begin(Need need) {
+  if (need == Need::ranks) keep_freed_memory();
   if (need == Need::ranks || is_launched()) {
     mpi_ = std::make_unique<MpiGuard>(argc_, argv_);
     ranks_ = std::make_unique<Communicator>(MPI_COMM_WORLD);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -35,6 +36,19 @@ struct FetchView {
     return list->row(first_block + block);
   }
 };
+
+/// Where a lane of a pair list lies. Lanes are dealt to four blocks in turn: neighbours in a list often share a
+/// particle, and in one block each would have to wait until the one before it has written that particle's sums.
+struct LanePlace {
+  std::size_t block, slot;
+};
+inline constexpr std::size_t dealt_blocks = 4;
+inline constexpr std::size_t dealt_lanes = dealt_blocks * block_lanes;
+inline LanePlace place_of(std::size_t lane) {
+  return {lane / dealt_lanes * dealt_blocks + lane % dealt_blocks, lane % dealt_lanes / dealt_blocks};
+}
+/// The number of blocks that `lanes` lanes of a pair list take.
+inline std::size_t blocks_for(std::size_t lanes) { return (lanes + dealt_lanes - 1) / dealt_lanes * dealt_blocks; }
 
 inline ContactHistory history(const ContactBlock& b, std::size_t k) {
   return {{b.spring[0][k], b.spring[1][k], b.spring[2][k]}, {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]}};

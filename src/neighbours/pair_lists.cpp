@@ -11,17 +11,19 @@ ContactHistory history_of(const PairGroup& group, const PairGroup::Pair& pair) {
   return pair.lane < 0 ? ContactHistory{} : lane_history(group, static_cast<std::size_t>(pair.lane));
 }
 
-void set_lane(ContactBlock& block, std::size_t k, std::int32_t first, std::int32_t second, const ContactHistory& h) {
-  block.first[k] = first;
-  block.second[k] = second;
-  set_history(block, k, h);
+void set_lane(BigVector<ContactBlock>& blocks, std::size_t lane, std::int32_t first, std::int32_t second,
+              const ContactHistory& h) {
+  const auto [at, slot] = place_of(lane);
+  ContactBlock& block = blocks[at];
+  block.first[slot] = first;
+  block.second[slot] = second;
+  set_history(block, slot, h);
 }
 
-/// Fills the rest of the last block with the two dummy particles behind the last ghost.
+/// Fills the rest of the last blocks with the two dummy particles behind the last ghost.
 void fill_tail(BigVector<ContactBlock>& blocks, std::size_t lanes, std::size_t dummy) {
   for (std::size_t lane = lanes; lane < block_lanes * blocks.size(); ++lane) {
-    set_lane(blocks.back(), lane % block_lanes, static_cast<std::int32_t>(dummy), static_cast<std::int32_t>(dummy + 1),
-             {});
+    set_lane(blocks, lane, static_cast<std::int32_t>(dummy), static_cast<std::int32_t>(dummy + 1), {});
   }
 }
 
@@ -76,9 +78,9 @@ void PairLists::build(const Particles& particles, std::span<const IndexPair> pai
     const ContactHistory history = remembered(memory, index(i), particles.id[index(j)]);
     PairGroup::Pair pair = {first, second, -1};
     if (!is_blank(history)) {
-      if (group.lanes % block_lanes == 0) group.blocks.emplace_back();
-      set_lane(group.blocks.back(), group.lanes % block_lanes, first, second, history);
       pair.lane = static_cast<std::int32_t>(group.lanes++);
+      group.blocks.resize(blocks_for(group.lanes));
+      set_lane(group.blocks, group.lanes - 1, first, second, history);
     }
     group.pairs.push_back(pair);
   }
@@ -116,12 +118,12 @@ void PairLists::find_near(const PairGroup& group) {
 /// follow the same order, no lane is overwritten whose history is still needed, when those that move down do so from
 /// the first on and then those that move up or are new from the last on.
 void PairLists::renew_lanes(PairGroup& group, std::size_t dummy) {
-  const std::size_t blocks = (near_.size() + block_lanes - 1) / block_lanes;
+  const std::size_t blocks = blocks_for(near_.size());
   if (blocks > group.blocks.capacity()) group.blocks.reserve(blocks + blocks / 8);
   group.blocks.resize(std::max(blocks, group.blocks.size()));
   const auto move_to = [&](std::size_t lane, PairGroup::Pair& pair) {
     const ContactHistory history = history_of(group, pair);
-    set_lane(group.blocks[lane / block_lanes], lane % block_lanes, pair.first, pair.second, history);
+    set_lane(group.blocks, lane, pair.first, pair.second, history);
     pair.lane = static_cast<std::int32_t>(lane);
   };
   std::size_t next = 0;
@@ -169,8 +171,9 @@ Csr<PairMemory> PairLists::memory(const Particles& particles) const {
       for (std::size_t lane = 0; lane < group.lanes; ++lane) {
         const ContactHistory history = lane_history(group, lane);
         if (is_blank(history)) continue;
-        const std::size_t first = index(group.blocks[lane / block_lanes].first[lane % block_lanes]);
-        const std::size_t second = index(group.blocks[lane / block_lanes].second[lane % block_lanes]);
+        const auto [block, slot] = place_of(lane);
+        const std::size_t first = index(group.blocks[block].first[slot]);
+        const std::size_t second = index(group.blocks[block].second[slot]);
         if (first < particles.owned) add(first, {particles.id[second], history});
         if (second < particles.owned) add(second, {particles.id[first], history});
       }

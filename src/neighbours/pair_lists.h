@@ -81,7 +81,8 @@ void add_lane_dummies(Particles& particles);
 
 /// History of lane `lane` in a group's blocks.
 inline ContactHistory lane_history(const PairGroup& group, std::size_t lane) {
-  return history(group.blocks[lane / block_lanes], lane % block_lanes);
+  const LanePlace place = place_of(lane);
+  return history(group.blocks[place.block], place.slot);
 }
 
 }  // namespace repose

@@ -81,8 +81,8 @@ inline PairCount inner_pairs(const Particles& p, const PairLists& lists) {
   PairCount pairs;
   for (const PairGroup& group : lists.groups()) {
     for (std::size_t lane = 0; lane < group.lanes; ++lane) {
-      const ContactBlock& block = group.blocks[lane / block_lanes];
-      ++pairs[ids(p, block.first[lane % block_lanes], block.second[lane % block_lanes])];
+      const auto [block, slot] = place_of(lane);
+      ++pairs[ids(p, group.blocks[block].first[slot], group.blocks[block].second[slot])];
     }
   }
   return pairs;

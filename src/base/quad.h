@@ -29,6 +29,8 @@ using QuadInMemory = double __attribute__((vector_size(32), may_alias));
 using QuadIntInMemory = std::int64_t __attribute__((vector_size(32), may_alias));
 using QuadBitsInMemory = std::uint64_t __attribute__((vector_size(32), may_alias));
 using OctetInt = std::int64_t __attribute__((vector_size(64)));
+using OctetIntInMemory = std::int64_t __attribute__((vector_size(64), may_alias));
+using OctetOfQuadsInMemory = double __attribute__((vector_size(64), may_alias, aligned(32)));
 using OctetBits = std::uint64_t __attribute__((vector_size(64)));
 using OctetInMemory = double __attribute__((vector_size(64), may_alias));
 using OctetBitsInMemory = std::uint64_t __attribute__((vector_size(64), may_alias));
@@ -122,6 +124,7 @@ template <Lanes Real>
 [[gnu::always_inline]] inline Octet join(const Quad& low, const Quad& high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
+[[gnu::always_inline]] inline Quad low_half(const Octet& o) { return __builtin_shufflevector(o, o, 0, 1, 2, 3); }
 [[gnu::always_inline]] inline void load_rows(const QuadInMemory* const (&row)[8], int at, Octet& a, Octet& b, Octet& c,
                                              Octet& d) {
   const Octet r02 = join(row[0][at], row[2][at]);
@@ -168,5 +171,8 @@ template <Lanes Real>
   const QuadBits high = ((bits ^ 0x8000000000000000) >> 32) | high_exponent;
   return (reinterpret_cast<Quad>(high) - shift) + reinterpret_cast<Quad>(low);
 }
+
+/// AVX-512 has an instruction for it.
+[[gnu::always_inline]] inline Octet to_double(const OctetInt& value) { return __builtin_convertvector(value, Octet); }
 
 }  // namespace repose

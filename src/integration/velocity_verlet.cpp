@@ -16,21 +16,49 @@ namespace {
 // fourth element is always zero.
 static_assert(sizeof(ParticleRecord) == 3 * sizeof(Quad));
 
-/// v += a dt/2 for velocity and spin, once or twice.
-template <int kicks>
-[[gnu::always_inline]] inline void kick(const Quad& gravity, double half, double force_to_acceleration,
+/// v += a dt/2 for velocity and spin, once or twice; returns the velocity.
+template <int kicks, int lanes>
+[[gnu::always_inline]] inline Quad kick(const Quad& gravity, double half, double force_to_acceleration,
                                         double torque_to_acceleration, const QuadIntInMemory* sum,
                                         QuadInMemory* record) {
-  const Quad velocity_kick = half * (force_to_acceleration * to_double(sum[0]) + gravity);
-  const Quad spin_kick = half * (torque_to_acceleration * to_double(sum[1]));
-  for (int k = 0; k < kicks; ++k) {
-    record[1] += velocity_kick;
-    record[2] += spin_kick;
+  if constexpr (lanes == 8) {
+    const Octet scale = join(broadcast<Quad>(force_to_acceleration), broadcast<Quad>(torque_to_acceleration));
+    const Octet sums = to_double(*reinterpret_cast<const OctetIntInMemory*>(sum));
+    const Octet both = half * (scale * sums + join(gravity, Quad{}));
+    auto& velocity_and_spin = *reinterpret_cast<OctetOfQuadsInMemory*>(record + 1);
+    Octet sped_up = velocity_and_spin;
+    for (int k = 0; k < kicks; ++k) sped_up += both;
+    velocity_and_spin = sped_up;
+    return low_half(sped_up);
+  } else {
+    const Quad velocity_kick = half * (force_to_acceleration * to_double(sum[0]) + gravity);
+    const Quad spin_kick = half * (torque_to_acceleration * to_double(sum[1]));
+    for (int k = 0; k < kicks; ++k) {
+      record[1] += velocity_kick;
+      record[2] += spin_kick;
+    }
+    return record[1];
   }
 }
 
+/// Whether one of the first three lanes is set.
+[[gnu::always_inline]] inline bool any_lane(const QuadInt& condition) {
+  return (condition[0] | condition[1] | condition[2]) != 0;
+}
+
+[[gnu::always_inline]] inline std::size_t count_outside(const Quad& low, const Quad& high, const Particles& particles,
+                                                        std::size_t size) {
+  const auto* record = reinterpret_cast<const QuadInMemory*>(particles.record.data());
+  std::size_t outside = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Quad position = record[3 * i];
+    if (any_lane((position < low) | (position >= high))) ++outside;
+  }
+  return outside;
+}
+
 /// In periodic directions the ways are rounded to the grid of the positions.
-template <int kicks, bool periodic>
+template <int kicks, int lanes, bool periodic>
 [[gnu::always_inline]] inline StepNotes kick_and_drift(const Vec3& gravity_in, double dt, const DomainDeck& domain,
                                                        std::span<const Mark> marks, Particles& particles) {
   constexpr double no_bound = std::numeric_limits<double>::infinity();
@@ -48,16 +76,17 @@ template <int kicks, bool periodic>
   StepNotes notes;
   Quad longest = {};
   QuadInt nowhere = {};
+  QuadInt beyond = {};
   for (std::size_t i = 0; i < marks.size(); ++i, record += 3, sum += 2) {
-    kick<kicks>(gravity, 0.5 * dt, force_to_acceleration[i], torque_to_acceleration[i], sum, record);
+    const Quad velocity =
+        kick<kicks, lanes>(gravity, 0.5 * dt, force_to_acceleration[i], torque_to_acceleration[i], sum, record);
     sum[0] = QuadInt{};
     sum[1] = QuadInt{};
-    Quad step = drift * record[1];
+    Quad step = drift * velocity;
     if constexpr (periodic) step = (step + rounding) - rounding;
     const Quad position = record[0] + step;
     record[0] = position;
-    const QuadInt beyond = (position < low) | (position >= high);
-    notes.outside += (beyond[0] | beyond[1] | beyond[2]) != 0 ? 1 : 0;
+    beyond |= (position < low) | (position >= high);
     const Quad way = position - mark[i];
     const Quad squares = way * way;
     notes.skin_used_up |= squares[0] + squares[1] + squares[2] >= mark[i][3];
@@ -65,19 +94,21 @@ template <int kicks, bool periodic>
     longest = longest > lengths ? longest : lengths;
     nowhere |= position != position;
   }
-  notes.nowhere = (nowhere[0] | nowhere[1] | nowhere[2]) != 0;
+  notes.nowhere = any_lane(nowhere);
+  if (any_lane(beyond)) notes.outside = count_outside(low, high, particles, marks.size());
   notes.longest_step = std::max({longest[0], longest[1], longest[2]});
   std::fill(particles.sum.begin() + static_cast<std::ptrdiff_t>(marks.size()), particles.sum.end(), ForceSum{});
   return notes;
 }
 
+template <int lanes>
 [[gnu::always_inline]] inline void second_half(const Vec3& gravity_in, double dt, Particles& particles) {
   const Quad gravity = {gravity_in.x, gravity_in.y, gravity_in.z, 0.0};
   auto* records = reinterpret_cast<QuadInMemory*>(particles.record.data());
   const auto* sums = reinterpret_cast<const QuadIntInMemory*>(particles.sum.data());
   for (std::size_t i = 0; i < particles.owned; ++i) {
-    kick<1>(gravity, 0.5 * dt, particles.force_to_acceleration[i], particles.torque_to_acceleration[i], sums + 2 * i,
-            records + 3 * i);
+    kick<1, lanes>(gravity, 0.5 * dt, particles.force_to_acceleration[i], particles.torque_to_acceleration[i],
+                   sums + 2 * i, records + 3 * i);
   }
 }
 
@@ -92,11 +123,13 @@ template <int kicks>
 StepNotes kick_and_drift_at(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
                             std::span<const Mark> marks, Particles& particles) {
   if (particles.periodic.any()) {
-    return at_level(level,
-                    [&]() REPOSE_INLINE { return kick_and_drift<kicks, true>(gravity, dt, domain, marks, particles); });
+    return at_level(level, [&](auto lanes) REPOSE_INLINE {
+      return kick_and_drift<kicks, lanes, true>(gravity, dt, domain, marks, particles);
+    });
   }
-  return at_level(level,
-                  [&]() REPOSE_INLINE { return kick_and_drift<kicks, false>(gravity, dt, domain, marks, particles); });
+  return at_level(level, [&](auto lanes) REPOSE_INLINE {
+    return kick_and_drift<kicks, lanes, false>(gravity, dt, domain, marks, particles);
+  });
 }
 
 }  // namespace
@@ -112,7 +145,7 @@ StepNotes step_second_and_first_half(VectorLevel level, const Vec3& gravity, dou
 }
 
 void step_second_half(VectorLevel level, const Vec3& gravity, double dt, Particles& particles) {
-  at_level(level, [&]() REPOSE_INLINE { second_half(gravity, dt, particles); });
+  at_level(level, [&](auto lanes) REPOSE_INLINE { second_half<lanes>(gravity, dt, particles); });
 }
 
 void set_fixed_point_scales(const MaterialTable& materials, double max_overlap, Particles& particles) {

@@ -5,6 +5,7 @@ import argparse
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -31,6 +32,7 @@ start = 14
 name = "mini"
 start = 5
 """
+ANY_WIDTH = 1e6  # a search ends with its first batch
 
 
 class Searches:
@@ -54,9 +56,13 @@ class Searches:
         return output
 
     def search(self, name, laboratory, start, half_width, levels=""):
-        """Estimate and particle-steps of a search that stops at this half-width or at the budget."""
-        adaptive = {"start": start, "batch": 2, "budget_core_hours": self.options.budget, "half_width": half_width}
-        output = self.calibrate(name, STUDY.search(self.base, laboratory, adaptive) + levels)
+        """Estimate and particle-steps of a search that stops at this half-width or at the budget. Its first batch is the
+        same for every laboratory: it is run once and copied, and counts in each."""
+        adaptive = {"start": start, "batch": 2, "budget_core_hours": self.options.budget}
+        begun = self.calibrate(f"start_{name.split('_')[0]}",
+                               STUDY.search(self.base, laboratory, adaptive | {"half_width": ANY_WIDTH}) + levels)
+        shutil.copytree(begun / "runs", self.work / name / "runs", dirs_exist_ok=True)
+        output = self.calibrate(name, STUDY.search(self.base, laboratory, adaptive | {"half_width": half_width}) + levels)
         return json.loads((output / "estimate.json").read_text()), particle_steps(output)
 
 

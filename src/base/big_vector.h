@@ -8,12 +8,13 @@
 
 namespace repose {
 
+inline constexpr std::size_t huge_page = std::size_t{2} << 20;  ///< bytes
+
 /// Allocates large blocks on huge pages where the system grants them: neighbours in space are not neighbours in memory,
 /// and with small pages their addresses cost as much to translate as their contents to fetch.
 template <class T>
 struct HugePageAllocator {
   using value_type = T;
-  static constexpr std::size_t huge_page = std::size_t{2} << 20;
 
   HugePageAllocator() = default;
   template <class U>

@@ -1,7 +1,8 @@
 #include "base/kept_memory.h"
 
-#include <cstdlib>
 #include <limits>
+
+#include "base/big_vector.h"
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -11,7 +12,7 @@ namespace repose {
 
 void keep_freed_memory() {
 #if defined(__GLIBC__)
-  mallopt(M_MMAP_MAX, 0);  // large blocks, too, from the heap, which is kept
+  mallopt(M_MMAP_THRESHOLD, static_cast<int>(huge_page));
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
 }

@@ -103,7 +103,9 @@ def run_liggghts(arguments, script, folder, seed, plane):
     with open(path) as file, open(os.path.join(folder, "log"), "w") as log:
         done = subprocess.run([arguments.liggghts], stdin=file, stdout=log, stderr=log, cwd=folder, check=False)
     if done.returncode != 0 or not os.path.exists(os.path.join(folder, "final.dump")):
-        raise RuntimeError(open(os.path.join(folder, "log")).read().strip().splitlines()[-1])
+        with open(os.path.join(folder, "log")) as log:
+            errors = [line.strip() for line in log if "ERROR" in line]
+        raise RuntimeError(errors[0] if errors else f"exit code {done.returncode}")
     table = np.loadtxt(os.path.join(folder, "final.dump"), skiprows=9, ndmin=2)
     return figures(table[:, 2:5], table[:, 5:8], table[:, 1], plane)
 

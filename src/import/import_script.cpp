@@ -276,13 +276,13 @@ std::string deck_name(const std::string& script) {
 ImportedDeck import_script(const std::string& script, const ReadFile& read_file,
                            const std::vector<std::string>& variables, const std::string& dump) {
   Translation to(read_file);
-  ScriptCommand last;
+  Place last{script, 1};
   read_script(script, read_file, variables, [&](const ScriptCommand& command) {
     translate(to, command);
-    last = command;
+    last = command.place;
   });
   if (!dump.empty()) take_dump(to, dump);
-  check_complete(to.scene, last.place.file.empty() ? Place{script, 1} : last.place);
+  check_complete(to.scene, last);
   ImportedDeck result;
   std::map<std::string, std::string> mesh_files;
   const std::string loose = deck_text(to.scene, script, {}, result, mesh_files);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -18,7 +19,17 @@ void timestep(Translation& to, Words& words) {
   to.scene.timestep_place = words.place();
 }
 
-/// run N [upto]
+/// Whether something begins or ends with the next run.
+bool begins_anew(const ImportedScene& scene) {
+  const auto changes = [&](const auto& items) {
+    return std::any_of(items.begin(), items.end(), [&](const auto& item) {
+      return item.from == scene.runs.size() || item.until == scene.runs.size();
+    });
+  };
+  return scene.runs.empty() || changes(scene.walls) || changes(scene.motions) || changes(scene.insertions);
+}
+
+/// run N [upto]; runs between which nothing changes are one.
 void run(Translation& to, Words& words) {
   ScriptRun run{words.place(), words.integer("the number of steps")};
   constexpr std::int64_t most = 1'000'000'000'000;
@@ -36,7 +47,11 @@ void run(Translation& to, Words& words) {
   if (run.steps < 0 || run.steps > most) words.fail(fmt::format("a run of {} steps", run.steps));
   if (run.steps == 0) return note_needless(to.scene, words.command(), "no step is made");
   if (!to.scene.timestep) words.fail("a run before any timestep");
-  to.scene.runs.push_back(run);
+  if (begins_anew(to.scene)) {
+    to.scene.runs.push_back(run);
+  } else {
+    to.scene.runs.back().steps += run.steps;
+  }
 }
 
 /// Ends what a fix has begun, from the next run on.

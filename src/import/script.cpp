@@ -17,7 +17,7 @@
 namespace repose {
 namespace {
 
-constexpr std::size_t most_commands = 100000;  // a loop that never ends carries out more
+constexpr std::size_t most_commands = 1000000;  // a loop that never ends carries out more
 constexpr int deepest_include = 16;
 
 /// A line of a script without its comment, with those that continue it.
@@ -74,7 +74,10 @@ class Reader {
   void set(const std::string& given) {
     const std::size_t sign = given.find('=');
     if (sign == std::string::npos || sign == 0) throw DeckError(fmt::format("--var {}: write --var NAME=VALUE", given));
-    variables_.define({{"--var", 1}, {"variable", given.substr(0, sign), "index", given.substr(sign + 1)}});
+    ScriptCommand command;
+    command.place.file = "--var";
+    command.words = {"variable", given.substr(0, sign), "index", given.substr(sign + 1)};
+    variables_.define(command);
   }
 
   void follow(const std::string& first_file, int depth) {

@@ -10,6 +10,7 @@ namespace repose {
 namespace {
 
 constexpr double densest_fill = 0.3;       // share of a region that grains at random places surely find room in
+constexpr double most_grains = 1e8;        // of an insertion; a script with more is damaged
 constexpr double burst_steps = 100.0;      // between the tries of grains that come at once
 constexpr double just_above = 1.0 + 1e-6;  // a rate at which a batch is whole in spite of rounding
 
@@ -182,8 +183,9 @@ class InsertionWriter {
     return volume / region.volume();
   }
 
-  static std::int64_t whole(double count) {
-    return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::llround(std::min(count, 1e12))));
+  std::int64_t whole(double count) const {
+    if (!(count <= most_grains)) refuse(now_->place, fmt::format("{:.3g} grains in one insertion", count));
+    return std::max<std::int64_t>(1, std::llround(count));
   }
 
   void note(const std::string& reason) {
@@ -209,7 +211,8 @@ class InsertionWriter {
       const std::int64_t count = whole(wanted(portion, where));
       if (begins_filled) fill(portion, where, count);
       if (begins_filled && times == 1) continue;
-      const std::int64_t rest = count * (begins_filled ? times - 1 : times);
+      const std::int64_t rest =
+          whole(static_cast<double>(count) * static_cast<double>(begins_filled ? times - 1 : times));
       const bool tries_again = repeats && !is_emptied_before;
       const double every = is_emptied_before || tries_again ? interval : burst_steps * step();
       batches(portion, where, rest, static_cast<double>(count) / every * (is_emptied_before ? just_above : 2.0), every);

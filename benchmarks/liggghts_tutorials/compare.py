@@ -1,10 +1,13 @@
-"""Imports the tutorials of LIGGGHTS-PUBLIC, runs each in repose and in LIGGGHTS with several seeds, and prints a table.
+#!/usr/bin/python3
+"""Imports the tutorials of LIGGGHTS-PUBLIC, runs each in repose and in LIGGGHTS with several seeds, and prints tables.
 
 Of the state at the end: the grains that are inside and have passed the face they enter through, their kinetic energy,
 and the height of their centre of mass (above the lowest grain). They agree when the means differ by less than three
 standard deviations of a single run (of both programs together), or by less than a thousandth.
 
-Usage: compare.py TUTORIALS REPOSE [--liggghts EXECUTABLE] [--seeds N] [--work DIR] [--only NAME] [--table FILE]
+Rows are kept in the work folder, and a tutorial that has one is not run again.
+
+Usage: compare.py TUTORIALS REPOSE [--liggghts EXECUTABLE] [--seeds N] [--work DIR] [--only NAME]
 TUTORIALS is the folder examples/LIGGGHTS/Tutorials_public of the sources of LIGGGHTS-PUBLIC.
 """
 
@@ -125,38 +128,68 @@ def cell(values):
     return f"{mean:.4g}" if scatter == 0.0 else f"{mean:.4g} ± {scatter:.2g}"
 
 
-def compare(arguments, script):
-    """The row of the table of a tutorial."""
-    work = os.path.join(arguments.work, script.replace("/", "_"))
-    code, said = import_script(arguments, script, os.path.join(work, "deck"))
-    if code != 0:
-        return [script, "refused: " + said.strip().removeprefix("repose: "), "", "", "", "", "", ""]
-    notes = [line.removeprefix("without a counterpart: ") for line in said.splitlines()[1:]]
-    deck_path = said.splitlines()[0]
+def run_both(arguments, work, deck_path, notes, script):
+    """The cells of the table, and whether the programs agree."""
     with open(deck_path, "rb") as file:
         deck = tomllib.load(file)
     plane = plane_of(deck, os.path.dirname(deck_path))
     seeds = PRIMES[: arguments.seeds]
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        theirs = [pool.submit(run_liggghts, arguments, script, os.path.join(work, f"liggghts_{seed}"), seed, plane) for seed in seeds]
-        try:
-            theirs = [run.result() for run in theirs]
-        except RuntimeError as error:
-            return [script, "; ".join(notes), "LIGGGHTS: " + str(error)] + [""] * 5
+        runs = [pool.submit(run_liggghts, arguments, script, os.path.join(work, f"liggghts_{seed}"), seed, plane)
+                for seed in seeds]
+        theirs = [run.result() for run in runs]
         overrides = []
-        if any("fills the region up again" in note for note in notes):  # as many as LIGGGHTS has brought in
+        if any("fills the region up again" in note for note in notes):
             overrides = [f"particles.0.count={round(statistics.mean(t[0] for t in theirs))}"]
-            notes.append("count set to LIGGGHTS's mean")
-        ours = [pool.submit(run_repose, arguments, deck_path, os.path.join(work, f"repose_{seed}"), seed, overrides, plane) for seed in seeds]
-        try:
-            ours = [run.result() for run in ours]
-        except RuntimeError as error:
-            return [script, "; ".join(notes), "repose: " + str(error)] + [""] * 5
+            notes.append("here as many grains as in LIGGGHTS")
+        runs = [pool.submit(run_repose, arguments, deck_path, os.path.join(work, f"repose_{seed}"), seed, overrides, plane)
+                for seed in seeds]
+        ours = [run.result() for run in runs]
     columns = []
     for a, b in zip(zip(*ours), zip(*theirs)):
         columns += [cell(a), cell(b)]
-    verdict = "agree" if agree(ours, theirs) else "DIFFER"
-    return [script, "; ".join(notes) or "whole"] + columns + [verdict]
+    return columns + ["agree" if agree(ours, theirs) else "differ"]
+
+
+def compare(arguments, script):
+    """What became of a tutorial: its cells, or why there are none. Kept in the work folder."""
+    work = os.path.join(arguments.work, script.replace("/", "_"))
+    kept = os.path.join(work, "row.json")
+    if os.path.exists(kept):
+        with open(kept) as file:
+            return json.load(file)
+    code, said = import_script(arguments, script, os.path.join(work, "deck"))
+    if code != 0:
+        row = {"refused": said.strip().removeprefix("repose: ")}
+    else:
+        notes = [line.removeprefix("without a counterpart: ") for line in said.splitlines()[1:]]
+        try:
+            row = {"cells": run_both(arguments, work, said.splitlines()[0], notes, script)}
+        except RuntimeError as error:
+            row = {"stopped": str(error)}
+        row["notes"] = "; ".join(notes)
+    os.makedirs(work, exist_ok=True)
+    with open(kept, "w") as file:
+        json.dump(row, file)
+    return row
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(cells) + " |" for cells in [head, *rows]]
+    return "\n".join([lines[0], "|" + "---|" * len(head), *lines[1:]])
+
+
+def report(rows):
+    figures_of_both = [text for figure in FIGURES for text in (f"{figure}: repose", "LIGGGHTS")]
+    ran = [[name, *row["cells"]] for name, row in rows.items() if "cells" in row]
+    listed = [[name, row["notes"]] for name, row in rows.items() if "cells" in row and row["notes"]]
+    stopped = [[name, row["stopped"]] for name, row in rows.items() if "stopped" in row]
+    refused = [[name, row["refused"]] for name, row in rows.items() if "refused" in row]
+    parts = [table(["tutorial", *figures_of_both, ""], ran)]
+    for title, cells in (("listed as without a counterpart", listed), ("did not run", stopped), ("refused", refused)):
+        if cells:
+            parts.append(table(["tutorial", title], [[text.replace("|", "/") for text in row] for row in cells]))
+    return "\n\n".join(parts)
 
 
 def main():
@@ -168,24 +201,15 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--work", default="liggghts_tutorials")
     parser.add_argument("--only", default="")
-    parser.add_argument("--table", default="")
     arguments = parser.parse_args()
     arguments.repose = os.path.abspath(arguments.repose)
-    names = ["tutorial", "import"]
-    for figure in FIGURES:
-        names += [f"{figure}: repose", "LIGGGHTS"]
-    lines = ["| " + " | ".join([*names, ""]) + " |", "|" + "---|" * (len(names) + 1)]
-    for line in lines:
-        print(line)
+    rows = {}
     for script in scripts_in(arguments.tutorials):
         if arguments.only not in script:
             continue
-        row = compare(arguments, script)
-        lines.append("| " + " | ".join(text.replace("|", "/") for text in row) + " |")
-        print(lines[-1], flush=True)
-    if arguments.table:
-        with open(arguments.table, "w") as file:
-            file.write("\n".join(lines) + "\n")
+        rows[script] = compare(arguments, script)
+        print(script, rows[script], file=sys.stderr, flush=True)
+    print(report(rows))
     return 0
 
 

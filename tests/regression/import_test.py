@@ -44,20 +44,20 @@ class Import(FolderTest):
         checked = self.program.call("check", deck)
         self.assertEqual(checked.returncode, 0, checked.stderr)
         self.assertIn("particles   400", checked.stdout)
-        summary = self.program.run(deck, self.path("run"), ranks=2)
+        summary = self.program.run(deck, self.path("run"), "output.snapshot_times=[0.25]", ranks=2)
         self.assertEqual(summary["particles"]["inside"], 400)
         self.assertEqual([phase["steps"] for phase in summary["phases"]], [15000, 15000])
-        snapshot = sorted(glob.glob(self.path("run/run_*.hdf")))[-1]
+        settling, snapshot = sorted(glob.glob(self.path("run/run_*.hdf")))[-2:]
         with h5py.File(snapshot) as file:
             z, mass = file["particles/position"][:, 2], file["particles/mass"][...]
         height = 1e3 * (np.sum(mass * z) / np.sum(mass) - np.min(z))
         mean, deviation = LIGGGHTS_HEIGHT_MM
         self.assertLess(abs(height - mean), 3 * (deviation**2 + OURS_MM**2) ** 0.5, height)
-        self.go_back(snapshot, deck)
+        self.go_back(settling, deck)
 
     def go_back(self, snapshot, deck):
-        """A dump of the end as the start of the same script; H5MD has the same numbers."""
-        dump = self.path("end.dump")
+        """A dump as the start of the same script; H5MD has the same numbers."""
+        dump = self.path("settling.dump")
         done = self.program.call("export", snapshot, "--format", "dump", "--output", dump)
         self.assertEqual(done.returncode, 0, done.stderr)
         said = self.make("--dump", dump)
@@ -69,7 +69,7 @@ class Import(FolderTest):
         self.assertEqual([grains[c].tolist() for c in "xyz"], particles["position"].T.tolist())
         self.assertEqual(grains["radius"].tolist(), particles["radius"].tolist())
         self.assertEqual(self.program.call("check", deck).returncode, 0)
-        path = self.path("end.h5")
+        path = self.path("settling.h5")
         done = self.program.call("export", snapshot, "--format", "h5md", "--output", path)
         self.assertEqual(done.returncode, 0, done.stderr)
         with h5py.File(path) as file:

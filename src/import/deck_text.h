@@ -17,6 +17,10 @@ class DeckText {
     text_ += "\n" + head + "  # " + repose::text(place) + "\n";
   }
   void section(const std::string& head) { text_ += "\n" + head + "\n"; }
+  /// A vector, without zeros below zero.
+  void key(std::string_view name, const Vec3& value) {
+    text_ += std::string(name) + " = " + toml_text(value + Vec3{}) + "\n";
+  }
   template <class T>
   void key(std::string_view name, const T& value) {
     text_ += std::string(name) + " = " + toml_text(value) + "\n";

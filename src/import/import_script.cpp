@@ -66,11 +66,12 @@ double most_speed(const ImportedScene& scene) {
   return speed;
 }
 
-/// A number of two digits that is not below.
+/// A number of two digits that is not below, up to rounding.
 double rounded_up(double value) {
   if (!(value > 0.0)) return 0.0;
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::ceil(value / unit) * unit;
+  const std::string digits = fmt::format("{:.2g}", std::ceil(value / unit) * unit);
+  return std::strtod(digits.c_str(), nullptr);
 }
 
 /// The box, and in directions that LIGGGHTS lets grow, as far beyond it as a grain can fall.
@@ -188,6 +189,25 @@ void write_notes(DeckText& deck, const std::string& title, std::vector<Note> not
   }
 }
 
+/// Definitions that nothing of the script uses.
+void note_unused(ImportedScene& scene, const ScriptModel& model) {
+  const auto note = [&](const Place& place, const std::string& what, const std::string& reason) {
+    scene.needless.push_back({place, what, reason});
+  };
+  const std::set<std::string> used = properties_of(model);
+  for (const auto& [name, property] : scene.properties) {
+    if (!used.contains(name)) note(property.place, "fix property/global " + name, "the contact model does not use it");
+  }
+  for (const auto& [name, mesh] : scene.meshes) {
+    const bool is_wall = std::any_of(scene.walls.begin(), scene.walls.end(), [&](const ScriptWall& wall) {
+      return std::find(wall.meshes.begin(), wall.meshes.end(), name) != wall.meshes.end();
+    });
+    const bool is_face = std::any_of(scene.insertions.begin(), scene.insertions.end(),
+                                     [&](const ScriptInsertion& insertion) { return insertion.face == name; });
+    if (!is_wall && !is_face) note(mesh.place, "fix " + name + " mesh/surface", "neither a wall nor an insertion face");
+  }
+}
+
 /// The whole deck. Notes what has no counterpart anew each time.
 std::string deck_text(ImportedScene scene, const std::string& script, const TimeShares& shares, ImportedDeck& result,
                       std::map<std::string, std::string>& mesh_files) {
@@ -215,6 +235,7 @@ std::string deck_text(ImportedScene scene, const std::string& script, const Time
     scene.missing.push_back(
         {scene.runs.front().place, "run", "no fix nve/sphere moves the grains there; here they move"});
   }
+  note_unused(scene, materials.model());
   write_notes(deck, "Without a counterpart:", scene.missing);
   write_notes(deck, "Not needed:", scene.needless);
   result.missing = scene.missing;

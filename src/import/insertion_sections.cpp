@@ -247,24 +247,18 @@ class InsertionWriter {
     return now_->until < scene_.runs.size() ? std::min(*wanted, rate * duration) : *wanted;
   }
 
+  /// By numbers, as LIGGGHTS does it: masses are divided by the mean mass of a grain.
   void stream() {
+    double mean_mass = 0.0;
+    for (const Portion& portion : portions_) mean_mass += portion.number_share * portion.mean_mass;
+    const double rate = now_->mass_rate ? *now_->mass_rate / mean_mass : *now_->particle_rate;
+    std::optional<double> wanted = now_->count;
+    if (!wanted && now_->mass) wanted = std::floor(*now_->mass / mean_mass);
+    const double count = amount(wanted, rate);
     for (const Portion& portion : portions_) {
-      const bool by_mass = now_->mass_rate.has_value();
-      const double number_rate = by_mass ? *now_->mass_rate * portion.mass_share / portion.mean_mass
-                                         : *now_->particle_rate * portion.number_share;
       begin(portion, "pour");
-      if (now_->mass) {
-        deck_.key("mass", amount(*now_->mass * portion.mass_share, number_rate * portion.mean_mass));
-      } else {
-        std::optional<double> count = now_->count;
-        if (count) *count *= portion.number_share;
-        deck_.key("count", whole(amount(count, number_rate)));
-      }
-      if (by_mass) {
-        deck_.key("rate", *now_->mass_rate * portion.mass_share);
-      } else {
-        deck_.key("particle_rate", number_rate);
-      }
+      deck_.key("count", whole(count * portion.number_share));
+      deck_.key("particle_rate", rate * portion.number_share);
       if (first_step_ > 0) deck_.key("start_time", start_time());
       if (now_->kind == InsertionKind::stream) {
         deck_.key("region", "face");

@@ -121,6 +121,21 @@ void write_materials(DeckText& deck, const ImportedScene& scene, const Materials
   }
 }
 
+std::set<std::string> properties_of(const ScriptModel& model) {
+  std::set<std::string> names = {"youngsModulus", "poissonsRatio"};
+  if (has_stiffnesses(model)) {
+    names.insert({"kn", "kt", "gamman", "gammat"});
+  } else {
+    names.insert("coefficientRestitution");
+  }
+  if (model.normal == "hooke") names.insert("characteristicVelocity");
+  if (model.tangential != "off") names.insert("coefficientFriction");
+  if (model.rolling != "off") names.insert("coefficientRollingFriction");
+  if (model.rolling == "epsd") names.insert("coefficientRollingViscousDamping");
+  if (model.cohesion != "off") names.insert("cohesionEnergyDensity");
+  return names;
+}
+
 void write_contact(DeckText& deck, const ImportedScene& scene, const MaterialsUsed& materials) {
   const ScriptModel& model = materials.model();
   deck.section("[contact]", model.place);

@@ -263,6 +263,18 @@ TEST(ImportDeck, DividesADistributionByMaterials) {
   EXPECT_EQ(deck.particles[1].count, 40);
 }
 
+TEST(ImportDeck, ListsWhatNothingUses) {
+  const std::string deck = import_text(before_run("fix k all property/global k_finnie peratomtypepair 1 1.0\n"
+                                                  "fix cad all mesh/surface file face.stl type 1\n"))
+                               .imported.deck;
+  EXPECT_NE(deck.find("#   in.x:20: fix property/global k_finnie: the contact model does not use it\n"),
+            std::string::npos)
+      << deck;
+  EXPECT_NE(deck.find("#   in.x:21: fix cad mesh/surface: neither a wall nor an insertion face\n"), std::string::npos)
+      << deck;
+  EXPECT_EQ(deck.find("face.stl\""), std::string::npos);
+}
+
 TEST(ImportDeck, ListsWhatHasNoCounterpart) {
   const auto missing =
       import_text(before_run("fix drag all viscous 0.1\nfix w all adapt 1 atom diameter v_d\n")).imported.missing;

@@ -170,6 +170,12 @@ void write_phases(DeckText& deck, const ImportedScene& scene, const WallNames& w
   }
 }
 
+/// LIGGGHTS lets grains overlap as much as they do.
+void write_guards(DeckText& deck) {
+  deck.section("[guards]");
+  deck.key("max_overlap", 0.5, "the most there is; LIGGGHTS has no such bound");
+}
+
 void write_output(DeckText& deck, const ImportedScene& scene) {
   if (!scene.dump_interval && !scene.series_interval) return;
   deck.section("[output]");
@@ -231,6 +237,7 @@ std::string deck_text(ImportedScene scene, const std::string& script, const Time
   write_time(deck, scene, shares);
   write_phases(deck, scene, walls);
   write_output(deck, scene);
+  write_guards(deck);
   if (!scene.integrates) {
     scene.missing.push_back(
         {scene.runs.front().place, "run", "no fix nve/sphere moves the grains there; here they move"});

@@ -12,6 +12,7 @@ namespace {
 constexpr double densest_fill = 0.3;       // share of a region that grains at random places surely find room in
 constexpr double most_grains = 1e8;        // of an insertion; a script with more is damaged
 constexpr double burst_steps = 100.0;      // between the tries of grains that come at once
+constexpr double part_of_clearing = 0.05;  // between the batches of a stream
 constexpr double just_above = 1.0 + 1e-6;  // a rate at which a batch is whole in spite of rounding
 
 /// Templates of a distribution that are one material.
@@ -247,6 +248,15 @@ class InsertionWriter {
     return now_->until < scene_.runs.size() ? std::min(*wanted, rate * duration) : *wanted;
   }
 
+  /// A small part of the time in which the largest grain moves by its diameter: grains enter as soon as there is room,
+  /// which lets through about as many as LIGGGHTS finds places for in the volume behind the face.
+  double stream_interval() const {
+    double largest = 0.0;
+    for (const Portion& portion : portions_) largest = std::max(largest, portion.classes.rbegin()->first);
+    const double steps = std::floor(part_of_clearing * largest / norm(now_->velocity) / step());
+    return std::max(1.0, steps) * step();
+  }
+
   /// By numbers, as LIGGGHTS does it: masses are divided by the mean mass of a grain.
   void stream() {
     double mean_mass = 0.0;
@@ -263,6 +273,7 @@ class InsertionWriter {
       if (now_->kind == InsertionKind::stream) {
         deck_.key("region", "face");
         deck_.key("face", walls_.faces.at(now_->face));
+        if (norm(now_->velocity) > 0.0) deck_.key("interval", stream_interval());
       } else {
         if (now_->every > 0) deck_.key("interval", static_cast<double>(now_->every) * step());
         region(deck_region(scene_.regions.at(now_->region), domain_));

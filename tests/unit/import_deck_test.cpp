@@ -226,6 +226,7 @@ TEST(ImportDeck, PoursStreamsThroughTheirFace) {
   EXPECT_EQ(deck.particles[0].type, ParticlesType::pour);
   EXPECT_EQ(deck.particles[0].face, "face");
   EXPECT_EQ(deck.particles[0].particle_rate, 5000.0);
+  EXPECT_DOUBLE_EQ(deck.particles[0].interval, 80e-5);  // a twentieth of the way of 8 mm at 0.5 m/s
   EXPECT_EQ(deck.particles[0].count, 50);  // what comes until the unfix
   EXPECT_FALSE(wall(deck, "face").present);
 }

@@ -77,9 +77,10 @@ void region(Translation& to, Words& words) {
   const std::string name = words.word("the name of the region");
   ScriptRegion region{.place = words.place(), .kind = words.word("the shape of the region")};
   if (region.kind == "delete") {
-    to.scene.regions.erase(name);
+    if (!is_in_use(to.scene, name)) to.scene.regions.erase(name);
     return;
   }
+  refuse_second(to.scene, name, words);
   if (region.kind == "block") {
     region.block = block(words, to.scene);
   } else if (region.kind == "cylinder") {

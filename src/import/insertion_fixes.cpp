@@ -9,6 +9,7 @@ namespace {
 
 /// fix particletemplate/sphere SEED atom_type N density constant D radius constant R
 void particle_template(Translation& to, Words& words) {
+  refuse_second(to.scene, words.command().words[1], words);
   words.integer("the seed");
   ParticleTemplate made{.place = words.place()};
   while (!words.at_end()) {
@@ -39,6 +40,7 @@ void refuse_template(Translation&, Words& words) {
 
 /// fix particledistribution/discrete SEED N TEMPLATE SHARE ...
 void distribution(Translation& to, Words& words) {
+  refuse_second(to.scene, words.command().words[1], words);
   words.integer("the seed");
   ScriptDistribution made{.place = words.place()};
   made.is_by_mass = words.command().words[3] != "particledistribution/discrete/numberbased";

@@ -80,6 +80,9 @@ void translate_pair_style(Translation& to, Words& words) {
     words.fail(fmt::format(
         "pair_style {}: only gran, with the words of its models (model hertz ...), has a counterpart", style));
   }
+  if (to.scene.has_run() && to.scene.model) {
+    return note_missing(to.scene, words.command(), "the contact model stays as it is in the first run");
+  }
   to.scene.model = read_model(words);
   if (!words.at_end()) words.fail(fmt::format("\"{}\" has no counterpart", words.word("")));
 }

@@ -16,6 +16,10 @@ void property(Translation& to, Words& words) {
   if (property.kind == "peratomtypepair" || property.kind == "matrix") words.integer("the number of types");
   for (const std::string& value : words.rest()) property.values.push_back(number_of(value, words.place(), name));
   if (property.values.empty()) words.fail(fmt::format("property \"{}\" has no value", name));
+  const auto before = to.scene.properties.find(name);
+  if (to.scene.has_run() && before != to.scene.properties.end() && before->second.values != property.values) {
+    return note_missing(to.scene, words.command(), "properties stay as they are in the first run");
+  }
   to.scene.properties[name] = property;
 }
 

@@ -41,7 +41,8 @@ void run(Translation& to, Words& words) {
     } else if (words.take("start") || words.take("stop")) {
       words.integer("a step");
     } else {
-      return note_missing(to.scene, words.command(), fmt::format("run with \"{}\"", words.word("")));
+      note_missing(to.scene, words.command(), fmt::format("\"{}\" of a run", words.word("a key")));
+      words.rest();
     }
   }
   if (run.steps < 0 || run.steps > most) words.fail(fmt::format("a run of {} steps", run.steps));
@@ -61,19 +62,7 @@ void unfix(Translation& to, Words& words) {
   if (found == to.scene.fixes.end()) words.fail(fmt::format("no fix \"{}\" is there", name));
   const std::string style = found->second;
   to.scene.fixes.erase(found);
-  const std::size_t now = to.scene.runs.size();
-  bool is_done = false;
-  const auto end = [&](auto& items, const auto& is_it) {
-    for (auto& item : items) {
-      if (item.until != never_removed || !is_it(item)) continue;
-      item.until = now;
-      is_done = true;
-    }
-  };
-  end(to.scene.walls, [&](const ScriptWall& wall) { return wall.name == name; });
-  end(to.scene.insertions, [&](const ScriptInsertion& insertion) { return insertion.name == name; });
-  end(to.scene.motions, [&](const MeshMotion& motion) { return motion.name == name; });
-  if (is_done) return;
+  if (end_fix(to.scene, name)) return;
   if (style == "gravity" || style == "nve/sphere" || style == "freeze") {
     return note_missing(to.scene, words.command(), fmt::format("{} lasts for the whole run", style));
   }

@@ -30,6 +30,7 @@ const std::map<std::string, std::string>& needless_commands() {
       {"thermo_modify", results},
       {"compute", results},
       {"uncompute", results},
+      {"compute_modify", results},
       {"dump_modify", results},
       {"undump", results},
       {"restart", "checkpoints are written by themselves"},
@@ -122,6 +123,7 @@ void translate_fix(Translation& to, Words& words) {
   const std::string id = words.word("the name of the fix");
   words.word("the group of the fix");
   std::string style = words.word("the style of the fix");
+  if (to.scene.fixes.contains(id)) end_fix(to.scene, id);  // a fix of the same name replaces it
   to.scene.fixes[id] = style;
   if (style.starts_with("mesh/surface")) {
     if (style.find("servo") != std::string::npos || style.find("6dof") != std::string::npos) {
@@ -152,6 +154,42 @@ void note_missing(ImportedScene& scene, const ScriptCommand& command, const std:
 
 void note_needless(ImportedScene& scene, const ScriptCommand& command, const std::string& reason) {
   if (!is_noted(scene.needless, command)) scene.needless.push_back({command.place, text(command), reason});
+}
+
+bool end_fix(ImportedScene& scene, const std::string& name) {
+  bool is_done = false;
+  const auto end = [&](auto& items) {
+    for (auto& item : items) {
+      if (item.until != never_removed || item.name != name) continue;
+      item.until = scene.runs.size();
+      is_done = true;
+    }
+  };
+  end(scene.walls);
+  end(scene.insertions);
+  end(scene.motions);
+  return is_done;
+}
+
+bool is_in_use(const ImportedScene& scene, const std::string& name) {
+  const auto any = [](const auto& items, const auto& names_it) {
+    return std::any_of(items.begin(), items.end(), names_it);
+  };
+  const auto has = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return any(scene.walls, [&](const ScriptWall& wall) { return has(wall.meshes); }) ||
+         any(scene.motions, [&](const MeshMotion& moves) { return moves.mesh == name; }) ||
+         any(scene.insertions, [&](const ScriptInsertion& insertion) {
+           return insertion.distribution == name || insertion.region == name || insertion.face == name ||
+                  has(scene.distributions.at(insertion.distribution).templates);
+         });
+}
+
+void refuse_second(const ImportedScene& scene, const std::string& name, const Words& words) {
+  if (is_in_use(scene, name)) {
+    words.fail(fmt::format("\"{0}\" is in use above and would become another; give this one another name", name));
+  }
 }
 
 void translate(Translation& to, const ScriptCommand& command) {

@@ -33,6 +33,14 @@ const Translations& property_fixes();
 const Translations& wall_fixes();
 const Translations& insertion_fixes();
 
+/// Ends what a fix has begun, from the next run on; whether it had begun something that ends.
+bool end_fix(ImportedScene& scene, const std::string& name);
+/// Whether walls, motions or insertions name this mesh, region, template or distribution.
+bool is_in_use(const ImportedScene& scene, const std::string& name);
+
+/// DeckError when something in use would get another meaning.
+void refuse_second(const ImportedScene& scene, const std::string& name, const Words& words);
+
 /// The words of a contact model, in pair_style and fix wall/gran, up to the first that is none of them.
 ScriptModel read_model(Words& words);
 /// `pair_style`

@@ -79,6 +79,7 @@ void read_mesh_key(const std::string& key, ScriptMesh& mesh, Translation& to, Wo
 /// fix mesh/surface file FILE ...
 void mesh(Translation& to, Words& words) {
   const std::string name = words.command().words[1];
+  refuse_second(to.scene, name, words);
   if (!words.take("file")) words.fail("fix mesh/surface: only meshes from a file have a counterpart");
   ScriptMesh mesh{.place = words.place(), .file = words.word("the file of the mesh")};
   if (!mesh.file.ends_with(".stl") && !mesh.file.ends_with(".STL")) {

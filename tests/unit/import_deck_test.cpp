@@ -227,7 +227,7 @@ TEST(ImportDeck, PoursStreamsThroughTheirFace) {
   EXPECT_EQ(deck.particles[0].face, "face");
   EXPECT_EQ(deck.particles[0].particle_rate, 5000.0);
   EXPECT_DOUBLE_EQ(deck.particles[0].interval, 80e-5);  // a twentieth of the way of 8 mm at 0.5 m/s
-  EXPECT_EQ(deck.particles[0].count, 50);  // what comes until the unfix
+  EXPECT_EQ(deck.particles[0].count, 50);               // what comes until the unfix
   EXPECT_FALSE(wall(deck, "face").present);
 }
 
@@ -262,6 +262,33 @@ TEST(ImportDeck, DividesADistributionByMaterials) {
   // Equal masses: 8 times smaller and twice as dense are 4 to 1 by number.
   EXPECT_EQ(deck.particles[0].count, 10);
   EXPECT_EQ(deck.particles[1].count, 40);
+}
+
+TEST(ImportDeck, KeepsWhatTheFirstRunHasAndListsTheRest) {
+  const auto [deck, imported] =
+      import_text(test::falling +
+                  "fix m4 all property/global coefficientFriction peratomtypepair 1 0.9\n"
+                  "pair_style gran model hertz tangential off\nfix g all gravity 1 vector 0 0 -1\ntimestep 1e-6\n"
+                  "run 5 every 1 \"print x\"\n");
+  EXPECT_EQ(deck.pairs[0].sliding_friction, 0.3);
+  EXPECT_EQ(deck.gravity.z, -9.81);
+  EXPECT_EQ(deck.time.step, 1e-5);
+  EXPECT_EQ(deck.phases[0].steps, 1005);
+  ASSERT_EQ(imported.missing.size(), 5U);
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(imported.missing[k].place.line, 21 + k);
+}
+
+TEST(ImportDeck, ReplacesAFixByOneOfTheSameName) {
+  const Deck deck =
+      import_text(test::falling +
+                  "fix floor all wall/gran model hertz tangential history primitive type 1 zplane -0.1\nrun 5\n")
+          .deck;
+  ASSERT_EQ(deck.walls.size(), 2U);
+  EXPECT_EQ(deck.phases[1].remove_walls, std::vector<std::string>{"floor"});
+  EXPECT_EQ(deck.phases[1].add_walls, std::vector<std::string>{"floor_2"});
+  EXPECT_EQ(error_of(before_run("region fill block 0 1 0 1 0 1 units box\n")),
+            "in.x:20: \"fill\" is in use above and would become another; give this one another name");
+  EXPECT_EQ(import_text(before_run("region fill delete\n")).deck.particles.size(), 1U);
 }
 
 TEST(ImportDeck, ListsWhatNothingUses) {

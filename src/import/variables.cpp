@@ -37,7 +37,9 @@ std::vector<std::string> loop_values(Words& words) {
 void Variables::define(const ScriptCommand& command) {
   Words words(command);
   const std::string name = words.word("the name of the variable");
-  const std::string style = words.word("the style of the variable");
+  std::string style = words.word("the style of the variable");
+  if (style == "universe" || style == "world") style = "index";  // of which one partition sees the values in turn
+  if (style == "uloop") style = "loop";
   if (style == "delete") {
     variables_.erase(name);
   } else if (style == "index" || style == "loop") {

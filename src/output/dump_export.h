@@ -6,10 +6,9 @@
 
 namespace repose {
 
-/// Particles as a text dump of style custom (docs.lammps.org/dump.html), which LIGGGHTS, LAMMPS, OVITO and `repose
-/// import
-/// --dump` read: id (from 1 on), type (place of the material, from 1 on), x, y, z, vx, vy, vz, omegax, omegay, omegaz,
-/// radius, mass; SI, in numbers that read back exactly. The box is the domain.
+/// Particles as a text dump of style custom (docs.lammps.org/dump.html), which `read_dump` of LIGGGHTS and LAMMPS and
+/// `repose import --dump` read: id (from 1 on), type (place of the material, from 1 on), x, y, z, vx, vy, vz, omegax,
+/// omegay, omegaz, radius, mass; SI, in numbers that read back exactly. The box is the domain.
 std::string dump_text(const SnapshotParticles& snapshot);
 
 /// Particles as an H5MD file (version 1.1, https://www.nongnu.org/h5md/h5md.html) with one step of the group

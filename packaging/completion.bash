@@ -38,7 +38,7 @@ _repose() {
     case $line in
       *' DIR '*) _repose_files && return ;;
       *' DECK '*) _repose_files toml && return ;;
-      *' FILE '*) _repose_files toml csv vtp && return ;;
+      *' FILE '*) _repose_files toml csv vtp dump && return ;;
       *KEY=VALUE* | *NAME* | *HH:MM:SS*) return ;;
     esac
   fi
@@ -48,8 +48,13 @@ _repose() {
   elif [[ $help == *Subcommands:* ]]; then
     _repose_words "$(_repose_section Subcommands | grep -E '^  [a-z]' | awk '{print $1}')"
   else
-    mapfile -t endings < <(_repose_endings "$(_repose_section Positionals)")
-    _repose_files "${endings[@]}"
+    line=$(_repose_section Positionals)
+    if [[ $line == *LIGGGHTS* ]]; then # whose scripts have names of any kind
+      mapfile -t COMPREPLY < <(compgen -f -- "$cur")
+    else
+      mapfile -t endings < <(_repose_endings "$line")
+      _repose_files "${endings[@]}"
+    fi
   fi
 }
 

@@ -20,6 +20,7 @@ std::unique_ptr<Command> thermal_synthesise_command();
 std::unique_ptr<Command> thermal_sensor_command();
 std::unique_ptr<Command> thermal_mixture_command();
 std::unique_ptr<Command> compare_command();
+std::unique_ptr<Command> import_command();
 std::unique_ptr<Command> keys_command();
 
 const std::vector<CommandEntry>& command_entries() {
@@ -42,6 +43,7 @@ const std::vector<CommandEntry>& command_entries() {
       {"thermal sensor", "correct readings for the insulation of the sensor", thermal_sensor_command},
       {"thermal mixture", "heat capacity of a bed with and without its air", thermal_mixture_command},
       {"compare", "are two sets of repeated measurements (CSV) equivalent?", compare_command},
+      {"import", "make a deck of an input script of LIGGGHTS", import_command},
       {"keys", "list every key of a deck", keys_command},
   };
   return entries;

@@ -123,7 +123,9 @@ SnapshotParticles snapshot_particles(const std::string& bytes, const std::string
   }
   found.particles.id = reader.read_rows<std::int64_t>("/particles/id", 1);
   found.mass = reader.read_rows<double>("/particles/mass", 1);
+  found.step = reader.read_integer("step");
   found.time_s = reader.read_real("time_s");
+  if (reader.has_attribute("deck")) found.deck = reader.read_text("deck");
   if (found.particles.id.size() != found.particles.size() || found.mass.size() != found.particles.size()) {
     throw FileError(file + ": the arrays of /particles differ in length");
   }

@@ -45,7 +45,9 @@ struct SnapshotParticles {
   NewParticles particles;              ///< with ids; materials are indices of the names
   std::vector<std::string> materials;  ///< names
   std::vector<double> mass;            ///< kg
-  double time_s = 0.0;                 ///< s
+  std::int64_t step = 0;
+  double time_s = 0.0;  ///< s
+  std::string deck;     ///< TOML
 };
 
 /// From the bytes of a whole file. FileError as above, also for a checkpoint or a grid.

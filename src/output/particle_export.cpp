@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "files/csv_file.h"
+#include "output/dump_export.h"
 #include "output/vector_rows.h"
 
 namespace repose {
@@ -92,6 +93,8 @@ const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats = {
       {"vtp", "PolyData of VTK", vtp_text},
       {"csv", "a list that measure and decks read", csv_text},
+      {"dump", "a text dump of LIGGGHTS and LAMMPS", dump_text},
+      {"h5md", "the HDF5 format of molecular dynamics", h5md_bytes},
   };
   return formats;
 }

@@ -11,6 +11,7 @@
 #include "deck/resolved_deck.h"
 #include "support/input_decks.h"
 #include "support/meshes.h"
+#include "unit/import_samples.h"
 
 namespace {
 
@@ -80,6 +81,25 @@ void add_meshes(const Seeds& seeds) {
   const auto body = repose::test::box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0});
   seeds.add("ascii", repose::test::ascii_stl(body));
   seeds.add("binary", repose::test::binary_stl(body));
+}
+
+void add_scripts(const Seeds& seeds) {
+  seeds.add("script",
+            repose::test::falling +
+                "variable i loop 2\nlabel l\nif \"$i > 1\" then \"run $(2*v_i)\" else \"run 1\"\nnext i\njump SELF "
+                "l\ngroup g type 1\nset group g diameter 0.1\ndelete_atoms group g\nunfix ins\n");
+  seeds.add("walls",
+            "units cgs\nfix m all mesh/surface file a.stl type 1 scale 2 rotate axis 0 1 0 angle 9 move 1 2 3 "
+            "surface_vel 1 0 "
+            "0\nfix v all move/mesh mesh m rotate origin 0 0 0 axis 0 0 1 period 2\nfix w all wall/gran model hooke "
+            "tangential no_history rolling_friction cdt mesh n_meshes 1 meshes m\n");
+  seeds.add("data",
+            "grains\n\n1 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 0.1 2500 0.5 0.5 "
+            "0.5\n\nVelocities\n\n1 0 0 1 0 0 0\n");
+  seeds.add(
+      "dump",
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS id type "
+      "xs ys zs radius mass vx vy vz\n1 1 0.5 0.5 0.5 0.1 0.01 0 0 1\n");
 }
 
 void add_snapshots(const Seeds& seeds) {
@@ -165,6 +185,7 @@ int main(int argc, char** argv) {
   add_particle_lists(Seeds(folder / "particle_csv"));
   add_size_analyses(Seeds(folder / "size_csv"));
   add_meshes(Seeds(folder / "stl"));
+  add_scripts(Seeds(folder / "script"));
   add_snapshots(Seeds(folder / "snapshot"));
   add_checkpoints(Seeds(folder / "checkpoint"));
   add_states(Seeds(folder / "state"));

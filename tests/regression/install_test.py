@@ -149,13 +149,13 @@ class Install(unittest.TestCase):
 
     def test_the_completion_offers_files_that_fit(self):
         with tempfile.TemporaryDirectory() as folder:
-            for name in ("deck.toml", "run_1.hdf", "grid.h5", "grains.csv", "notes.txt"):
+            for name in ("deck.toml", "run_1.hdf", "grid.h5", "grains.csv", "in.chute"):
                 open(os.path.join(folder, name), "w").close()
             os.mkdir(os.path.join(folder, "results"))
             for words, names in ((("run", ""), {"deck.toml"}), (("info", ""), {"run_1.hdf", "grid.h5"}),
                                  (("export", ""), {"run_1.hdf"}), (("run", "deck.toml", "--output", ""), set()),
                                  (("measure", "run_1.hdf", "--deck", ""), {"deck.toml"}),
-                                 (("thermal", "tps", ""), {"grains.csv"}), (("run", "de"), {"deck.toml"})):
+                                 (("thermal", "tps", ""), {"grains.csv"}), (("run", "de"), {"deck.toml"}), (("import", "in."), {"in.chute"})):
                 expected = {name for name in names | {"results"} if name.startswith(words[-1])}
                 self.assertEqual(self.complete(*words, folder=folder), expected, words)
 

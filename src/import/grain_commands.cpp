@@ -1,0 +1,216 @@
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "import/grain_list.h"
+#include "import/translate.h"
+
+namespace repose {
+namespace {
+
+bool holds(const ScriptGroup& group, const Grain& grain) {
+  return group.has_all || group.types.contains(grain.type) || group.grains.contains(grain.id);
+}
+
+/// What a command may change of a grain before the first run; after it a deck cannot say so.
+bool comes_too_late(Translation& to, Words& words) {
+  if (!to.scene.has_run()) return false;
+  words.rest();
+  note_missing(to.scene, words.command(), "grains are not changed between runs");
+  return true;
+}
+
+/// The grains that are inserted are not known before the run.
+void note_insertions(Translation& to, Words& words) {
+  if (!to.scene.insertions.empty()) {
+    note_missing(to.scene, words.command(), "it holds for the grains of lists alone, not for those that are inserted");
+  }
+}
+
+void read_data(Translation& to, Words& words) {
+  const std::string& file = words.word("the file");
+  if (comes_too_late(to, words)) return;
+  const GrainList list = parse_data_file(to.read_file(file), file, to.scene.units);
+  if (!list.box) words.fail(fmt::format("{} has no box (xlo xhi, ...)", file));
+  to.scene.box = list.box;
+  to.scene.box_place = words.place();
+  to.scene.types = std::max(1, list.types);
+  to.scene.grains = list.grains;
+  to.scene.grain_places.push_back(words.place());
+  for (const std::string& more : words.rest()) {
+    note_missing(to.scene, words.command(), fmt::format("\"{}\" of read_data", more));
+  }
+}
+
+/// create_atoms TYPE single X Y Z
+void create_atoms(Translation& to, Words& words) {
+  const std::int64_t type = words.integer("the type");
+  const std::string& style = words.word("the style");
+  if (style != "single") {
+    return note_missing(to.scene, words.command(),
+                        "grains on a lattice are [[particles]] of type lattice; write them by hand");
+  }
+  if (comes_too_late(to, words)) return;
+  if (type < 1 || type > 1000) words.fail("types are counted from 1 on");
+  Grain grain;
+  grain.type = static_cast<int>(type);
+  grain.position = to.scene.units.length * words.vector("the position");
+  grain.radius = 0.5 * to.scene.units.length;  // as LAMMPS makes it
+  grain.density = to.scene.units.density();
+  for (const Grain& other : to.scene.grains) grain.id = std::max(grain.id, other.id);
+  ++grain.id;
+  to.scene.grains.push_back(grain);
+  to.scene.grain_places.push_back(words.place());
+}
+
+/// group NAME type N... | region NAME | id FROM:TO... | union NAME...
+void group(Translation& to, Words& words) {
+  const std::string name = words.word("the name of the group");
+  const std::string style = words.word("the style of the group");
+  ScriptGroup& made = to.scene.groups[name];
+  if (style == "type") {
+    while (!words.at_end())
+      made.types.insert(static_cast<int>(std::clamp<std::int64_t>(words.integer("a type"), 0, 1001)));
+  } else if (style == "region") {
+    const ScriptRegion& region = find_item(to.scene.regions, words.word("the region"), words, "region");
+    for (const Grain& grain : to.scene.grains) {
+      if (is_inside(region, grain.position)) made.grains.insert(grain.id);
+    }
+  } else if (style == "id") {
+    for (const std::string& range : words.rest()) {
+      const std::size_t colon = std::min(range.find(':'), range.size());
+      const double low = number_of(range.substr(0, colon), words.place(), "id");
+      const double high = colon == range.size() ? low : number_of(range.substr(colon + 1), words.place(), "id");
+      for (const Grain& grain : to.scene.grains) {
+        if (static_cast<double>(grain.id) >= low && static_cast<double>(grain.id) <= high) made.grains.insert(grain.id);
+      }
+    }
+  } else if (style == "union") {
+    for (const std::string& other_name : words.rest()) {
+      const ScriptGroup other = find_item(to.scene.groups, other_name, words, "group");
+      ScriptGroup& whole = to.scene.groups[name];
+      whole.has_all = whole.has_all || other.has_all;
+      whole.types.insert(other.types.begin(), other.types.end());
+      whole.grains.insert(other.grains.begin(), other.grains.end());
+    }
+  } else if (style != "clear" && style != "empty") {
+    note_missing(to.scene, words.command(), fmt::format("a group by \"{}\"", style));
+  }
+}
+
+/// The grains of the list that a command names by STYLE ID.
+std::vector<Grain*> chosen_grains(Translation& to, Words& words) {
+  const std::string style = words.word("which grains");
+  const std::string name = words.word("which grains");
+  const auto whole = [&](const std::string& text) { return number_of(text, words.place(), "which grains"); };
+  std::vector<Grain*> chosen;
+  for (Grain& grain : to.scene.grains) {
+    bool is_chosen = false;
+    if (style == "group") {
+      is_chosen = holds(find_item(to.scene.groups, name, words, "group"), grain);
+    } else if (style == "type") {
+      is_chosen = static_cast<double>(grain.type) == whole(name);
+    } else if (style == "atom") {
+      is_chosen = static_cast<double>(grain.id) == whole(name);
+    } else if (style == "region") {
+      is_chosen = is_inside(find_item(to.scene.regions, name, words, "region"), grain.position);
+    } else {
+      words.fail(fmt::format("grains by \"{}\"; group, type, atom and region are known", style));
+    }
+    if (is_chosen) chosen.push_back(&grain);
+  }
+  return chosen;
+}
+
+/// A member of a grain by the word of `set`, and the unit of its value.
+double* member(Grain& grain, const std::string& key) {
+  const std::map<std::string, double*> members = {
+      {"density", &grain.density}, {"diameter", &grain.radius}, {"x", &grain.position.x},  {"y", &grain.position.y},
+      {"z", &grain.position.z},    {"vx", &grain.velocity.x},   {"vy", &grain.velocity.y}, {"vz", &grain.velocity.z},
+      {"omegax", &grain.spin.x},   {"omegay", &grain.spin.y},   {"omegaz", &grain.spin.z},
+  };
+  const auto found = members.find(key);
+  return found == members.end() ? nullptr : found->second;
+}
+
+double unit_of(const std::string& key, const ScriptUnits& units) {
+  if (key == "density") return units.density();
+  if (key == "diameter") return 0.5 * units.length;
+  if (key.starts_with("omega")) return 1.0 / units.time;
+  return key.starts_with("v") ? units.speed() : units.length;
+}
+
+/// set STYLE ID KEY VALUE ...
+void set(Translation& to, Words& words) {
+  if (comes_too_late(to, words)) return;
+  note_insertions(to, words);
+  const std::vector<Grain*> grains = chosen_grains(to, words);
+  Grain any;
+  while (!words.at_end()) {
+    const std::string key = words.word("a key");
+    if (key == "type") {
+      const std::int64_t type = words.integer("the type");
+      if (type < 1 || type > 1000) words.fail("types are counted from 1 on");
+      for (Grain* grain : grains) grain->type = static_cast<int>(type);
+    } else if (member(any, key) != nullptr) {
+      const double value = words.number(key) * unit_of(key, to.scene.units);
+      if ((key == "density" || key == "diameter") && !(value > 0.0)) words.fail(fmt::format("{} is above 0", key));
+      for (Grain* grain : grains) *member(*grain, key) = value;
+    } else {
+      words.rest();
+      return note_missing(to.scene, words.command(), fmt::format("\"{}\" of grains", key));
+    }
+  }
+  to.scene.grain_places.push_back(words.place());
+}
+
+/// velocity GROUP set VX VY VZ
+void velocity(Translation& to, Words& words) {
+  if (comes_too_late(to, words)) return;
+  note_insertions(to, words);
+  const ScriptGroup& group = find_item(to.scene.groups, words.word("the group"), words, "group");
+  if (!words.take("set")) return note_missing(to.scene, words.command(), "only velocity ... set has a counterpart");
+  for (double Vec3::*component : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    if (words.take("NULL")) continue;
+    const double value = words.number("the velocity") * to.scene.units.speed();
+    for (Grain& grain : to.scene.grains) {
+      if (holds(group, grain)) grain.velocity.*component = value;
+    }
+  }
+  to.scene.grain_places.push_back(words.place());
+}
+
+/// delete_atoms group NAME | region NAME
+void delete_atoms(Translation& to, Words& words) {
+  if (comes_too_late(to, words)) return;
+  note_insertions(to, words);
+  std::set<std::int64_t> ids;
+  for (const Grain* grain : chosen_grains(to, words)) ids.insert(grain->id);
+  std::erase_if(to.scene.grains, [&](const Grain& grain) { return ids.contains(grain.id); });
+  to.scene.grain_places.push_back(words.place());
+}
+
+/// fix ID GROUP freeze
+void freeze(Translation& to, Words& words) {
+  if (comes_too_late(to, words)) return;
+  note_insertions(to, words);
+  const ScriptGroup& group = find_item(to.scene.groups, words.command().words[2], words, "group");
+  for (Grain& grain : to.scene.grains) grain.is_fixed = grain.is_fixed || holds(group, grain);
+  to.scene.grain_places.push_back(words.place());
+}
+
+}  // namespace
+
+const Translations& grain_commands() {
+  static const Translations commands = {{"read_data", read_data}, {"create_atoms", create_atoms},
+                                        {"group", group},         {"set", set},
+                                        {"velocity", velocity},   {"delete_atoms", delete_atoms}};
+  return commands;
+}
+
+const Translations& grain_fixes() {
+  static const Translations fixes = {{"freeze", freeze}};
+  return fixes;
+}
+
+}  // namespace repose

@@ -1,0 +1,231 @@
+#include "import/import_script.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "deck/read_deck.h"
+#include "import/grain_list.h"
+#include "import/insertion_sections.h"
+#include "import/law_sections.h"
+#include "import/run_sections.h"
+#include "import/script.h"
+#include "import/translate.h"
+#include "import/wall_sections.h"
+#include "run/run_plan.h"
+
+namespace repose {
+namespace {
+
+constexpr const char* grain_file = "grains.csv";
+constexpr const char* fixed_grain_file = "grains_fixed.csv";
+
+/// What a simulation cannot be without; `end` is the last line of the script.
+void check_complete(const ImportedScene& scene, const Place& end) {
+  if (!scene.box) refuse(end, "the script ends, and no create_box or read_data has said what is simulated");
+  if (!scene.model) refuse(end, "the script ends, and no pair_style has said how grains touch");
+  if (!scene.timestep) refuse(end, "the script ends, and no timestep was given");
+  if (scene.runs.empty()) refuse(end, "the script ends, and no run has made a step");
+  if (!scene.insertions.empty() || !scene.grains.empty()) return;
+  for (const Note& note : scene.missing) {
+    if (note.command.starts_with("create_atoms")) refuse(note.place, fmt::format("{}: {}", note.command, note.reason));
+  }
+  refuse(end, "the script ends, and no grains were inserted or read");
+}
+
+/// The grains of a dump in place of those that the script inserts before its first run or makes.
+void take_dump(Translation& to, const std::string& dump) {
+  ImportedScene& scene = to.scene;
+  for (const ScriptInsertion& insertion : scene.insertions) {
+    scene.missing.push_back({insertion.place, "fix " + insertion.name, "the grains of " + dump + " are there instead"});
+  }
+  scene.insertions.clear();
+  scene.grains = parse_dump(to.read_file(dump), dump, scene.units).grains;
+  scene.grain_places = {{dump, 1}};
+  for (Grain& grain : scene.grains) {
+    if (grain.density > 0.0) continue;
+    for (const auto& [name, made] : scene.templates) {
+      if (made.type == grain.type && !(grain.density > 0.0)) grain.density = made.density;
+    }
+    if (!(grain.density > 0.0)) {
+      refuse(
+          {dump, 1},
+          fmt::format(
+              "neither density nor mass is among its columns, and no fix particletemplate/sphere says that of type {}",
+              grain.type));
+    }
+  }
+}
+
+/// The grains of lists: a block of those that move, and one of those that are frozen.
+void write_grain_blocks(DeckText& deck, const ImportedScene& scene, const MaterialsUsed& materials,
+                        ImportedDeck& result) {
+  for (const bool is_fixed : {false, true}) {
+    std::vector<std::pair<Grain, std::string>> chosen;
+    for (const Grain& grain : scene.grains) {
+      if (grain.is_fixed == is_fixed) chosen.emplace_back(grain, materials.of_grains(grain.type, grain.density));
+    }
+    if (chosen.empty()) continue;
+    const char* file = is_fixed ? fixed_grain_file : grain_file;
+    result.files.emplace_back(file, grain_csv(chosen));
+    deck.section("[[particles]]", scene.grain_places.front());
+    deck.key("type", "csv");
+    deck.key("file", file);
+    if (is_fixed) deck.key("fixed", true);
+  }
+}
+
+void write_notes(DeckText& deck, const std::string& title, std::vector<Note> notes) {
+  if (notes.empty()) return;
+  std::stable_sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {
+    return std::tie(a.place.file, a.place.line) < std::tie(b.place.file, b.place.line);
+  });
+  deck.blank();
+  deck.comment(title);
+  for (const Note& note : notes) {
+    deck.comment(one_line(fmt::format("  {}: {}: {}", text(note.place), note.command, note.reason)));
+  }
+}
+
+/// Definitions that nothing of the script uses.
+void note_unused(ImportedScene& scene, const ScriptModel& model) {
+  const auto note = [&](const Place& place, const std::string& what, const std::string& reason) {
+    scene.needless.push_back({place, what, reason});
+  };
+  const std::set<std::string> used = properties_of(model);
+  for (const auto& [name, property] : scene.properties) {
+    if (!used.contains(name)) note(property.place, "fix property/global " + name, "the contact model does not use it");
+  }
+  for (const auto& entry : scene.meshes) {
+    const std::string& name = entry.first;
+    const bool is_wall = std::any_of(scene.walls.begin(), scene.walls.end(), [&](const ScriptWall& wall) {
+      return std::find(wall.meshes.begin(), wall.meshes.end(), name) != wall.meshes.end();
+    });
+    const bool is_face = std::any_of(scene.insertions.begin(), scene.insertions.end(),
+                                     [&](const ScriptInsertion& insertion) { return insertion.face == name; });
+    if (!is_wall && !is_face)
+      note(entry.second.place, "fix " + name + " mesh/surface", "neither a wall nor an insertion face");
+  }
+}
+
+/// The whole deck. Notes what has no counterpart anew each time.
+std::string deck_text(ImportedScene scene, const std::string& script, const TimeShares& shares, ImportedDeck& result,
+                      std::map<std::string, std::string>& mesh_files) {
+  const MaterialsUsed materials(scene);
+  const Extent domain = domain_of(scene);
+  DeckText deck;
+  result.files.clear();
+  deck.comment(
+      one_line(fmt::format("Imported from {} by repose import; file:line says where a part comes from.", script)));
+  deck.blank();
+  deck.key("gravity", scene.gravity, scene.gravity_place.line > 0 ? text(scene.gravity_place) : "no fix gravity");
+  deck.section("[run]");
+  deck.key("title", one_line(script));
+  if (!scene.insertions.empty()) deck.key("seed", scene.insertions.front().seed, text(scene.insertions.front().place));
+  write_domain(deck, scene, domain);
+  write_materials(deck, scene, materials);
+  write_contact(deck, scene, materials);
+  const WallNames walls = write_walls(deck, scene, materials, domain);
+  write_grain_blocks(deck, scene, materials, result);
+  write_insertions(deck, scene, materials, walls, domain);
+  write_time(deck, scene, shares);
+  write_phases(deck, scene, walls);
+  write_output(deck, scene);
+  write_guards(deck);
+  if (!scene.integrates) {
+    scene.missing.push_back(
+        {scene.runs.front().place, "run", "no fix nve/sphere moves the grains there; here they move"});
+  }
+  note_unused(scene, materials.model());
+  write_notes(deck, "Without a counterpart:", scene.missing);
+  write_notes(deck, "Not needed:", scene.needless);
+  result.missing = scene.missing;
+  mesh_files = walls.mesh_files;
+  return deck.text();
+}
+
+/// The line of the script that stands behind a line of the deck, in which an error was found as "name:line:...".
+std::string origin_of(const std::string& error, const std::string& name, const std::string& deck) {
+  if (!error.starts_with(name + ":")) return "";
+  std::size_t begin = 0;
+  for (int line = std::atoi(error.c_str() + name.size() + 1); line > 1 && begin != std::string::npos; --line) {
+    begin = deck.find('\n', begin);
+    if (begin != std::string::npos) ++begin;
+  }
+  if (begin == std::string::npos) return "";
+  const std::string line = deck.substr(begin, deck.find('\n', begin) - begin);
+  const std::size_t remark = line.rfind("  # ");
+  return remark == std::string::npos ? "" : line.substr(remark + 4);
+}
+
+Deck read_imported_deck(const std::string& deck, const std::string& script) {
+  const std::string name = deck_name(script);
+  try {
+    return read_deck(deck, name, {});
+  } catch (const DeckError& error) {
+    const std::string origin = origin_of(error.what(), name, deck);
+    throw DeckError(fmt::format("{}: as a deck it is refused: {}", origin.empty() ? script : origin, error.what()));
+  }
+}
+
+/// The time step and its limits, by all checks that come before a run.
+TimeStep planned_step(const std::string& deck, const std::string& script, const ReadFile& read_file) {
+  const Deck checked = read_imported_deck(deck, script);
+  try {
+    return RunPlan(checked, read_file).dt;
+  } catch (const DeckError& error) {
+    throw DeckError(fmt::format("{}: as a deck it is refused: {}", script, error.what()));
+  }
+}
+
+/// The share of a critical time that a step takes, rounded up to hundredths.
+double share_of(double step, double critical) {
+  return std::isfinite(critical) ? std::min(1.0, std::ceil(100.0 * step / critical + 1e-9) / 100.0) : 0.0;
+}
+
+}  // namespace
+
+std::string deck_name(const std::string& script) {
+  std::string name = script.substr(script.find_last_of('/') == std::string::npos ? 0 : script.find_last_of('/') + 1);
+  if (name.starts_with("in.")) {
+    name = name.substr(3);
+  } else if (name.find_last_of('.') != std::string::npos && name.find_last_of('.') > 0) {
+    name = name.substr(0, name.find_last_of('.'));
+  }
+  return (name.empty() ? "deck" : name) + ".toml";
+}
+
+ImportedDeck import_script(const std::string& script, const ReadFile& read_file,
+                           const std::vector<std::string>& variables, const std::string& dump) {
+  Translation to(read_file);
+  Place last{script, 1};
+  read_script(script, read_file, variables, [&](const ScriptCommand& command) {
+    translate(to, command);
+    last = command.place;
+  });
+  if (!dump.empty()) take_dump(to, dump);
+  check_complete(to.scene, last);
+  ImportedDeck result;
+  std::map<std::string, std::string> mesh_files;
+  const std::string loose = deck_text(to.scene, script, {}, result, mesh_files);
+  for (const auto& [there, here] : mesh_files) result.files.emplace_back(here, read_file(there));
+  const ReadFile read_imported = [&](const std::string& name) {
+    for (const auto& [file, bytes] : result.files) {
+      if (file == name) return bytes;
+    }
+    throw FileError(fmt::format("{}: not imported", name));
+  };
+  const TimeStep dt = planned_step(loose, script, read_imported);
+  const TimeShares shares{share_of(dt.step, dt.rayleigh_limit), share_of(dt.step, dt.hertz_limit),
+                          share_of(dt.step, dt.hooke_limit)};
+  auto files = std::move(result.files);
+  result.deck = deck_text(to.scene, script, shares, result, mesh_files);
+  result.files = std::move(files);
+  read_imported_deck(result.deck, script);
+  return result;
+}
+
+}  // namespace repose

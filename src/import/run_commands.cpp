@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "import/translate.h"
+
+namespace repose {
+namespace {
+
+void timestep(Translation& to, Words& words) {
+  const double step = words.number("the time step") * to.scene.units.time;
+  if (!(step > 0.0)) words.fail("the time step is above 0");
+  if (to.scene.has_run() && to.scene.timestep && step != *to.scene.timestep) {
+    return note_missing(to.scene, words.command(),
+                        "the time step does not change during a run; it stays the first one");
+  }
+  to.scene.timestep = step;
+  to.scene.timestep_place = words.place();
+}
+
+/// Whether something begins or ends with the next run.
+bool begins_anew(const ImportedScene& scene) {
+  const auto changes = [&](const auto& items) {
+    return std::any_of(items.begin(), items.end(), [&](const auto& item) {
+      return item.from == scene.runs.size() || item.until == scene.runs.size();
+    });
+  };
+  return scene.runs.empty() || changes(scene.walls) || changes(scene.motions) || changes(scene.insertions);
+}
+
+/// run N [upto]; runs between which nothing changes are one.
+void run(Translation& to, Words& words) {
+  ScriptRun run{words.place(), words.integer("the number of steps")};
+  constexpr std::int64_t most = 1'000'000'000'000;
+  while (!words.at_end()) {
+    if (words.take("upto")) {
+      run.steps -= to.scene.steps();
+    } else if (words.take("pre") || words.take("post")) {
+      words.choice("pre or post");
+    } else if (words.take("start") || words.take("stop")) {
+      words.integer("a step");
+    } else {
+      note_missing(to.scene, words.command(), fmt::format("\"{}\" of a run", words.word("a key")));
+      words.rest();
+    }
+  }
+  if (run.steps < 0 || run.steps > most) words.fail(fmt::format("a run of {} steps", run.steps));
+  if (run.steps == 0) return note_needless(to.scene, words.command(), "no step is made");
+  if (!to.scene.timestep) words.fail("a run before any timestep");
+  if (begins_anew(to.scene)) {
+    to.scene.runs.push_back(run);
+  } else {
+    to.scene.runs.back().steps += run.steps;
+  }
+}
+
+/// Ends what a fix has begun, from the next run on.
+void unfix(Translation& to, Words& words) {
+  const std::string name = words.word("the name of the fix");
+  const auto found = to.scene.fixes.find(name);
+  if (found == to.scene.fixes.end()) words.fail(fmt::format("no fix \"{}\" is there", name));
+  const std::string style = found->second;
+  to.scene.fixes.erase(found);
+  if (end_fix(to.scene, name)) return;
+  if (style == "gravity" || style == "nve/sphere" || style == "freeze") {
+    return note_missing(to.scene, words.command(), fmt::format("{} lasts for the whole run", style));
+  }
+  note_needless(to.scene, words.command(), fmt::format("fix {} is not in the deck", style));
+}
+
+/// dump ID GROUP STYLE N FILE ...: the first of grains says how often snapshots are written.
+void dump(Translation& to, Words& words) {
+  words.word("the name of the dump");
+  words.word("the group of the dump");
+  const std::string& style = words.word("the style of the dump");
+  const double every = words.number("the steps between dumps");
+  if (style.starts_with("mesh") || style.starts_with("euler") || !(every >= 1.0) || to.scene.dump_interval) {
+    return note_needless(to.scene, words.command(), "a run writes its own results");
+  }
+  if (!to.scene.timestep) return note_missing(to.scene, words.command(), "its interval is not known before a timestep");
+  to.scene.dump_interval = every * *to.scene.timestep;
+}
+
+void thermo(Translation& to, Words& words) {
+  const std::string& every = words.word("the steps between lines");
+  const bool is_number = every.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number || number_of(every, words.place(), "steps") < 1.0 || !to.scene.timestep || to.scene.series_interval) {
+    return note_needless(to.scene, words.command(), "a run writes its own results");
+  }
+  to.scene.series_interval = number_of(every, words.place(), "steps") * *to.scene.timestep;
+}
+
+}  // namespace
+
+const Translations& run_commands() {
+  static const Translations commands = {
+      {"timestep", timestep}, {"run", run}, {"unfix", unfix}, {"dump", dump}, {"thermo", thermo}};
+  return commands;
+}
+
+}  // namespace repose

@@ -1,0 +1,112 @@
+#include "import/run_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/core.h>
+
+namespace repose {
+namespace {
+
+double most_speed(const ImportedScene& scene) {
+  double speed = 0.0;
+  for (const ScriptInsertion& insertion : scene.insertions) speed = std::max(speed, norm(insertion.velocity));
+  for (const Grain& grain : scene.grains) speed = std::max(speed, norm(grain.velocity));
+  return speed;
+}
+
+/// A number of two digits that is not below, up to rounding.
+double rounded_up(double value) {
+  if (!(value > 0.0)) return 0.0;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  const std::string digits = fmt::format("{:.2g}", std::ceil(value / unit) * unit);
+  return std::strtod(digits.c_str(), nullptr);
+}
+
+/// Greatest speed to be expected: that of the grains after a fall over the box, or that of a wall.
+double expected_speed(const ImportedScene& scene) {
+  const Vec3 size = scene.box->max - scene.box->min;
+  const Vec3& g = scene.gravity;
+  const double fall = std::fabs(g.x) * size.x + std::fabs(g.y) * size.y + std::fabs(g.z) * size.z;
+  const double speed = most_speed(scene);
+  double result = std::sqrt(speed * speed + 2.0 * fall);
+  for (const MeshMotion& moves : scene.motions) result = std::max(result, norm(moves.motion.velocity));
+  for (const auto& [name, mesh] : scene.meshes) {
+    if (mesh.surface_velocity) result = std::max(result, norm(*mesh.surface_velocity));
+  }
+  return rounded_up(std::max(result, 1e-3));
+}
+
+}  // namespace
+
+Extent domain_of(const ImportedScene& scene) {
+  Extent domain = *scene.box;
+  const double time = static_cast<double>(scene.steps()) * *scene.timestep;
+  const double reach =
+      rounded_up(norm(domain.max - domain.min) + most_speed(scene) * time + 0.5 * norm(scene.gravity) * time * time);
+  const std::array<double Vec3::*, 3> components = {&Vec3::x, &Vec3::y, &Vec3::z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string& side = scene.boundary.at(k);
+    const auto grows = [](char c) { return c == 'm' || c == 's'; };
+    if (grows(side.front())) domain.min.*components.at(k) -= reach;
+    if (grows(side.back())) domain.max.*components.at(k) += reach;
+  }
+  return domain;
+}
+
+void write_domain(DeckText& deck, const ImportedScene& scene, const Extent& domain) {
+  deck.section("[domain]", scene.box_place);
+  deck.key("min", domain.min);
+  deck.key("max", domain.max);
+  std::vector<std::string> periodic;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (scene.boundary.at(k) == "p") periodic.push_back(std::string(1, "xyz"[k]));
+  }
+  if (!periodic.empty()) deck.key("periodic", periodic);
+}
+
+void write_time(DeckText& deck, const ImportedScene& scene, const TimeShares& shares) {
+  const TimeDeck usual;
+  const auto share = [&](const char* name, double value, double usual_value) {
+    if (value > usual_value) deck.key(name, value, fmt::format("more than {}, as the time step needs it", usual_value));
+  };
+  deck.section("[time]", scene.timestep_place);
+  deck.key("step", *scene.timestep);
+  deck.key("expected_speed", expected_speed(scene));
+  share("rayleigh_fraction", shares.rayleigh, usual.rayleigh_fraction);
+  share("hertz_fraction", shares.hertz, usual.hertz_fraction);
+  share("hooke_fraction", shares.hooke, usual.hooke_fraction);
+}
+
+void write_phases(DeckText& deck, const ImportedScene& scene, const WallNames& walls) {
+  for (std::size_t run = 0; run < scene.runs.size(); ++run) {
+    std::vector<std::string> add;
+    std::vector<std::string> remove;
+    for (const WallPresence& wall : walls.present) {
+      if (wall.from == run && run > 0) add.push_back(wall.name);
+      if (wall.until == run) remove.push_back(wall.name);
+    }
+    deck.section("[[phase]]", scene.runs[run].place);
+    deck.key("name", phase_name(run));
+    deck.key("until", "steps");
+    deck.key("steps", scene.runs[run].steps);
+    if (!remove.empty()) deck.key("remove_walls", remove);
+    if (!add.empty()) deck.key("add_walls", add);
+  }
+}
+
+/// LIGGGHTS lets grains overlap as much as they do.
+void write_guards(DeckText& deck) {
+  deck.section("[guards]");
+  deck.key("max_overlap", 0.5, "the most there is; LIGGGHTS has no such bound");
+}
+
+void write_output(DeckText& deck, const ImportedScene& scene) {
+  if (!scene.dump_interval && !scene.series_interval) return;
+  deck.section("[output]");
+  if (scene.dump_interval) deck.key("snapshot_interval", *scene.dump_interval, "dump");
+  if (scene.series_interval) deck.key("series_interval", *scene.series_interval, "thermo");
+}
+
+}  // namespace repose

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+namespace repose {
+
+/// SI values of a script's units.
+struct ScriptUnits {
+  double length = 1.0;  ///< m
+  double mass = 1.0;    ///< kg
+  double time = 1.0;    ///< s
+
+  double speed() const { return length / time; }
+  double acceleration() const { return length / (time * time); }
+  double density() const { return mass / (length * length * length); }
+  double pressure() const { return mass / (length * time * time); }
+  double stiffness() const { return mass / (time * time); }  ///< N/m
+};
+
+inline constexpr ScriptUnits si_units{};
+inline constexpr ScriptUnits cgs_units{0.01, 0.001, 1.0};
+
+}  // namespace repose

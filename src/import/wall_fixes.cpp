@@ -1,0 +1,202 @@
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "import/mesh_place.h"
+#include "import/translate.h"
+
+namespace repose {
+namespace {
+
+/// The number of a type, which materials are named by.
+int atom_type(Words& words) {
+  const std::int64_t type = words.integer("the type");
+  if (type < 1 || type > 1000) words.fail(fmt::format("type {}; types are counted from 1 on", type));
+  return static_cast<int>(type);
+}
+
+Vec3 axis(Words& words) {
+  const Vec3 direction = words.vector("the axis");
+  if (!(norm(direction) > 0.0)) words.fail("the axis has no length");
+  return direction;
+}
+
+MotionDeck surface_turn(Words& words, const ScriptUnits& units) {
+  MotionDeck motion;
+  motion.type = MotionType::rotation;
+  words.expect("origin");
+  motion.axis_origin = units.length * words.vector("the origin of the axis");
+  words.expect("axis");
+  motion.axis_direction = axis(words);
+  words.expect("omega");
+  motion.angular_velocity = words.number("the angular velocity") / units.time;
+  return motion;
+}
+
+/// Keys of fix mesh/surface that change nothing here, with the number of their values; -1: not one of them.
+int needless_values(const std::string& key) {
+  static const std::map<std::string, int> values = {
+      {"verbose", 1},          {"heal", 1},
+      {"precision", 1},        {"min_feature_length", 1},
+      {"stress", 1},           {"temperature", 1},
+      {"mass_temperature", 1}, {"element_exclusion_list", 2},
+      {"reference_point", 3},  {"curvature_tolerant", 1},
+  };
+  const auto found = values.find(key);
+  return found == values.end() ? -1 : found->second;
+}
+
+void read_mesh_key(const std::string& key, ScriptMesh& mesh, Translation& to, Words& words) {
+  const ScriptUnits& units = to.scene.units;
+  if (key == "type") {
+    mesh.type = atom_type(words);
+  } else if (key == "scale") {
+    scale_mesh(mesh, words.number("the scale"));
+    if (!(mesh.scale > 0.0)) words.fail("a mesh is scaled by a number above 0");
+  } else if (key == "move") {
+    mesh.shift += units.length * words.vector("the displacement");
+  } else if (key == "rotate") {
+    words.expect("axis");
+    const Vec3 direction = axis(words);
+    words.expect("angle");
+    turn_mesh(mesh, direction, words.number("the angle"));
+  } else if (key == "surface_vel") {
+    mesh.surface_velocity = units.speed() * words.vector("the velocity of the surface");
+  } else if (key == "surface_ang_vel") {
+    mesh.surface_turn = surface_turn(words, units);
+  } else if (key == "curvature") {
+    mesh.feature_angle = words.number("the angle");
+  } else if (key == "wear") {
+    if (words.word("the wear model") != "off") note_missing(to.scene, words.command(), "walls do not wear");
+  } else if (const int values = needless_values(key); values >= 0) {
+    for (int k = 0; k < values; ++k) words.word(key);
+  } else {
+    words.fail(fmt::format("fix mesh/surface: \"{}\" has no counterpart", key));
+  }
+}
+
+/// fix mesh/surface file FILE ...
+void mesh(Translation& to, Words& words) {
+  const std::string name = words.command().words[1];
+  refuse_second(to.scene, name, words);
+  if (!words.take("file")) words.fail("fix mesh/surface: only meshes from a file have a counterpart");
+  ScriptMesh mesh{.place = words.place(), .file = words.word("the file of the mesh")};
+  if (!mesh.file.ends_with(".stl") && !mesh.file.ends_with(".STL")) {
+    words.fail(fmt::format("mesh \"{}\": only STL files are read; convert it", mesh.file));
+  }
+  mesh.scale = to.scene.units.length;
+  while (!words.at_end()) {
+    const std::string key = words.word("a key");
+    read_mesh_key(key, mesh, to, words);
+  }
+  to.scene.meshes[name] = mesh;
+}
+
+void primitive(ScriptWall& wall, Words& words, const ScriptUnits& units) {
+  words.expect("type");
+  wall.type = atom_type(words);
+  wall.shape = words.word("the shape of the wall");
+  const bool is_plane = wall.shape == "xplane" || wall.shape == "yplane" || wall.shape == "zplane";
+  if (!is_plane && wall.shape != "xcylinder" && wall.shape != "ycylinder" && wall.shape != "zcylinder") {
+    words.fail(fmt::format("a wall that is a \"{}\"; planes and cylinders across x, y and z are known", wall.shape));
+  }
+  for (std::size_t k = 0; k < (is_plane ? 1U : 3U); ++k) {
+    wall.numbers.at(k) = words.number("the place of the wall") * units.length;
+  }
+  if (!is_plane && !(wall.numbers[0] > 0.0)) words.fail("a cylinder has a radius above 0");
+}
+
+void meshes_of_wall(ScriptWall& wall, Translation& to, Words& words) {
+  words.expect("n_meshes");
+  const std::int64_t count = words.integer("the number of meshes");
+  words.expect("meshes");
+  for (std::int64_t k = 0; k < count; ++k) {
+    const std::string& name = words.word("a mesh");
+    find_item(to.scene.meshes, name, words, "mesh");
+    wall.meshes.push_back(name);
+  }
+}
+
+Vec3 shear(Words& words, const ScriptUnits& units) {
+  const std::string& along = words.word("the direction of the shear");
+  const double speed = words.number("the velocity of the shear") * units.speed();
+  if (along == "x") return {speed, 0.0, 0.0};
+  if (along == "y") return {0.0, speed, 0.0};
+  if (along == "z") return {0.0, 0.0, speed};
+  words.fail(fmt::format("shear along \"{}\"; x, y and z are known", along));
+}
+
+/// fix wall/gran model ... primitive ... | mesh ...
+void wall(Translation& to, Words& words) {
+  ScriptWall wall{.place = words.place(), .name = words.command().words[1], .model = read_model(words)};
+  wall.from = to.scene.runs.size();
+  if (words.take("primitive")) {
+    primitive(wall, words, to.scene.units);
+  } else if (words.take("mesh")) {
+    meshes_of_wall(wall, to, words);
+  } else {
+    words.fail("a wall is a primitive or a mesh");
+  }
+  while (!words.at_end()) {
+    const std::string key = words.word("a key");
+    if (key == "shear") {
+      wall.surface_velocity = shear(words, to.scene.units);
+    } else if (key.starts_with("store_force") || key == "temperature" || key == "contact_area") {
+      words.word(key);
+    } else if (const std::vector<std::string> rest = words.rest(); true) {
+      note_missing(to.scene, words.command(), fmt::format("\"{}\" of a wall", key));
+    }
+  }
+  to.scene.walls.push_back(std::move(wall));
+}
+
+MotionDeck motion(const std::string& style, Words& words, const ScriptUnits& units) {
+  MotionDeck motion;
+  if (style == "linear") {
+    motion.velocity = units.speed() * words.vector("the velocity");
+  } else if (style == "wiggle") {
+    motion.type = MotionType::oscillation;
+    words.expect("amplitude");
+    motion.amplitude = units.length * words.vector("the amplitude");
+    words.expect("period");
+    motion.frequency = 1.0 / (words.number("the period") * units.time);
+  } else {
+    motion.type = MotionType::rotation;
+    words.expect("origin");
+    motion.axis_origin = units.length * words.vector("the origin of the axis");
+    words.expect("axis");
+    motion.axis_direction = axis(words);
+    words.expect("period");
+    motion.angular_velocity = 2.0 * std::numbers::pi / (words.number("the period") * units.time);
+  }
+  if (!std::isfinite(motion.type == MotionType::rotation ? motion.angular_velocity : motion.frequency) &&
+      motion.type != MotionType::translation) {
+    words.fail("a period is above 0");
+  }
+  return motion;
+}
+
+/// fix move/mesh mesh NAME linear|wiggle|rotate ...
+void move_mesh(Translation& to, Words& words) {
+  words.expect("mesh");
+  MeshMotion moves{.place = words.place(), .name = words.command().words[1], .mesh = words.word("the mesh")};
+  find_item(to.scene.meshes, moves.mesh, words, "mesh");
+  const std::string style = words.word("the motion");
+  if (style != "linear" && style != "wiggle" && style != "rotate") {
+    return note_missing(to.scene, words.command(),
+                        fmt::format("motion {}; linear, wiggle and rotate have a counterpart", style));
+  }
+  moves.motion = motion(style, words, to.scene.units);
+  moves.from = to.scene.runs.size();
+  to.scene.motions.push_back(std::move(moves));
+}
+
+}  // namespace
+
+const Translations& wall_fixes() {
+  static const Translations fixes = {{"mesh/surface", mesh}, {"wall/gran", wall}, {"move/mesh", move_mesh}};
+  return fixes;
+}
+
+}  // namespace repose

@@ -1,0 +1,355 @@
+// What becomes of the commands of a script. The decks are read by the program's own reader.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "deck/read_deck.h"
+#include "import/import_script.h"
+#include "import_samples.h"
+
+namespace repose {
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+struct Imported {
+  Deck deck;
+  ImportedDeck imported;
+};
+
+Imported import_files(const Files& files, const std::string& dump = "") {
+  ImportedDeck imported = import_script("in.x", test::reader_of(files), {}, dump);
+  Deck deck = read_deck(imported.deck, "x.toml", {});
+  return {std::move(deck), std::move(imported)};
+}
+
+Imported import_text(const std::string& script) {
+  return import_files({{"in.x", script}, {"face.stl", test::triangle_stl}, {"parts/face.stl", test::triangle_stl}});
+}
+
+std::string error_of(const std::string& script) {
+  try {
+    import_text(script);
+  } catch (const DeckError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// `falling` with a text in place of another.
+std::string with(const std::string& old, const std::string& fresh) {
+  std::string script = test::falling;
+  const std::size_t at = script.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return script.replace(at, old.size(), fresh);
+}
+
+/// `falling` with lines before its run.
+std::string before_run(const std::string& lines) { return with("run 1000\n", lines + "run 1000\n"); }
+
+const WallDeck& wall(const Deck& deck, const std::string& name) {
+  const auto found =
+      std::find_if(deck.walls.begin(), deck.walls.end(), [&](const WallDeck& w) { return w.name == name; });
+  if (found == deck.walls.end()) throw DeckError("no wall " + name);
+  return *found;
+}
+
+TEST(ImportDeck, TranslatesTheWhole) {
+  const auto [deck, imported] = import_text(test::falling);
+  EXPECT_TRUE(imported.missing.empty());
+  EXPECT_EQ(deck.gravity, (Vec3{0.0, 0.0, -9.81}));
+  EXPECT_EQ(deck.domain.max, (Vec3{0.1, 0.1, 0.4}));
+  EXPECT_EQ(deck.run.seed, 10037U);
+  ASSERT_EQ(deck.materials.size(), 1U);
+  EXPECT_EQ(deck.materials[0].name, "type1");
+  EXPECT_EQ(deck.materials[0].youngs_modulus, 5e6);
+  EXPECT_EQ(deck.materials[0].density, 2000.0);
+  ASSERT_EQ(deck.pairs.size(), 1U);
+  EXPECT_EQ(deck.pairs[0].restitution, 0.6);
+  EXPECT_EQ(deck.pairs[0].sliding_friction, 0.3);
+  EXPECT_EQ(deck.pairs[0].rolling_friction, 0.0);
+  EXPECT_EQ(deck.contact, ContactDeck{});
+  EXPECT_EQ(wall(deck, "floor").type, WallType::plane);
+  ASSERT_EQ(deck.particles.size(), 1U);
+  EXPECT_EQ(deck.particles[0].type, ParticlesType::fill);
+  EXPECT_EQ(deck.particles[0].count, 50);
+  EXPECT_EQ(deck.particles[0].sizes.diameters, std::vector<double>{0.008});
+  EXPECT_EQ(deck.particles[0].velocity, (Vec3{0.0, 0.0, -0.5}));
+  EXPECT_EQ(deck.time.step, 1e-5);
+  ASSERT_EQ(deck.phases.size(), 1U);
+  EXPECT_EQ(deck.phases[0].steps, 1000);
+}
+
+TEST(ImportDeck, NamesTheLineOfEachPart) {
+  const std::string deck = import_text(test::falling).imported.deck;
+  for (const std::string line :
+       {"[domain]  # in.x:5", "[[wall]]  # in.x:13", "[[particles]]  # in.x:17", "[[phase]]  # in.x:20",
+        "restitution = 0.6  # in.x:8", "#   in.x:19: fix move all nve/sphere: grains move by themselves"}) {
+    EXPECT_NE(deck.find(line + "\n"), std::string::npos) << line << "\n" << deck;
+  }
+}
+
+TEST(ImportDeck, KnowsCentimetresAndGrams) {
+  std::string script = with("units si", "units cgs");
+  const auto [deck, imported] = import_text(script);
+  EXPECT_DOUBLE_EQ(deck.domain.max.z, 0.004);
+  EXPECT_DOUBLE_EQ(deck.materials[0].youngs_modulus, 5e5);  // dyn/cm2 are tenths of Pa
+  EXPECT_DOUBLE_EQ(deck.materials[0].density, 2e6);         // g/cm3
+  EXPECT_DOUBLE_EQ(deck.gravity.z, -0.0981);
+  EXPECT_DOUBLE_EQ(deck.particles[0].velocity.z, -0.005);
+}
+
+TEST(ImportDeck, LetsTheDomainGrowWhereTheBoxDoes) {
+  const auto [deck, imported] = import_text(with("boundary f f f", "boundary p f mf"));
+  EXPECT_EQ(deck.domain.periodic, std::vector<Axis>{Axis::x});
+  EXPECT_EQ(deck.domain.max.z, 0.4);
+  EXPECT_LT(deck.domain.min.z, -0.4);
+}
+
+TEST(ImportDeck, TranslatesContactModels) {
+  const auto contact = [](const std::string& model, const std::string& more = "") {
+    std::string script = with("pair_style gran model hertz tangential history", "pair_style gran " + model);
+    script.replace(script.find("model hertz tangential history primitive"), 30, model);
+    return import_text(script.insert(script.find("pair_style"), more)).deck;
+  };
+  const std::string rolling = "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.2\n";
+  const std::string viscous = "fix v all property/global coefficientRollingViscousDamping peratomtypepair 1 0.1\n";
+  Deck deck = contact("model hertz tangential no_history rolling_friction cdt", rolling);
+  EXPECT_EQ(deck.contact.tangential_spring, TangentialSpring::none);
+  EXPECT_EQ(deck.contact.rolling_model, RollingModel::cdt);
+  EXPECT_EQ(deck.pairs[0].rolling_friction, 0.2);
+  deck = contact("model hertz tangential history rolling_friction epsd limitForce on tangential_damping off",
+                 rolling + viscous);
+  EXPECT_EQ(deck.contact.rolling_model, RollingModel::epsd);
+  EXPECT_EQ(deck.pairs[0].rolling_viscous_damping, 0.1);
+  EXPECT_FALSE(deck.contact.attraction);
+  EXPECT_FALSE(deck.contact.restitution_correction);
+  EXPECT_EQ(deck.contact.tangential_damping, TangentialDamping::none);
+  deck = contact("model hooke tangential history", "fix c all property/global characteristicVelocity scalar 2\n");
+  EXPECT_EQ(deck.contact.normal_law, NormalLaw::hooke);
+  EXPECT_EQ(deck.contact.hooke_characteristic_velocity, 2.0);
+  EXPECT_EQ(deck.contact.tangential_damping, TangentialDamping::normal);
+  EXPECT_EQ(deck.pairs[0].hooke_tangential_ratio, 1.0);
+  deck = contact("model hertz tangential off");
+  EXPECT_EQ(deck.pairs[0].sliding_friction, 0.0);
+}
+
+TEST(ImportDeck, TranslatesStiffnesses) {
+  std::string script = with("model hertz tangential history\n", "model hooke/stiffness tangential history\n");
+  script.replace(script.find("model hertz"), 11, "model hooke/stiffness");
+  for (const std::string pair : {"kn 1 4000", "kt 1 1000", "gamman 1 600", "gammat 1 300"}) {
+    const std::size_t blank = pair.find(' ');
+    script.insert(script.find("pair_style"), "fix s" + pair.substr(0, blank) + " all property/global " +
+                                                 pair.substr(0, blank) + " peratomtypepair" + pair.substr(blank) +
+                                                 "\n");
+  }
+  const Deck deck = import_text(script).deck;
+  EXPECT_EQ(deck.pairs[0].hooke_stiffness, 4000.0);
+  EXPECT_EQ(deck.pairs[0].hooke_tangential_ratio, 0.25);
+  EXPECT_EQ(deck.pairs[0].hooke_damping_rate, 600.0);
+  EXPECT_EQ(deck.pairs[0].hooke_tangential_damping_rate, 300.0);
+}
+
+TEST(ImportDeck, GivesWallsThatDoNotCohereAMaterialOfTheirOwn) {
+  std::string script = with("pair_style gran model hertz tangential history",
+                            "pair_style gran model hertz tangential history cohesion sjkr");
+  script.insert(0, "fix c all property/global cohesionEnergyDensity peratomtypepair 1 3e5\n");
+  const Deck deck = import_text(script).deck;
+  ASSERT_EQ(deck.pairs.size(), 2U);
+  EXPECT_EQ(deck.contact.cohesion, Cohesion::sjkr);
+  EXPECT_EQ(deck.pairs[0].cohesion_energy_density, 3e5);
+  EXPECT_EQ(deck.pairs[1].materials[1], "type1_wall");
+  EXPECT_EQ(deck.pairs[1].cohesion_energy_density, 0.0);
+  EXPECT_EQ(wall(deck, "floor").material, "type1_wall");
+}
+
+TEST(ImportDeck, PlacesMeshesAsTheScriptDoes) {
+  // Moved, scaled and turned twice in this order, its corners must come to lie where the same steps by hand take them.
+  const auto [deck, imported] =
+      import_text(before_run("fix cad all mesh/surface file parts/face.stl type 1 move 1 2 3 scale 0.01 rotate axis 1 "
+                             "0 0 angle 90 rotate axis 0 0 1 angle 90\n"
+                             "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad\n"));
+  const WallDeck& mesh = wall(deck, "cad");
+  EXPECT_EQ(mesh.file, "face.stl");
+  ASSERT_EQ(imported.files.size(), 1U);
+  EXPECT_EQ(imported.files[0].second, test::triangle_stl);
+  const double angle = mesh.rotate_angle * std::numbers::pi / 180.0;
+  const Vec3 axis = (1.0 / norm(mesh.rotate_axis)) * mesh.rotate_axis;
+  for (const Vec3& x : {Vec3{0.0, 0.0, 1.0}, Vec3{1.0, 0.0, 1.0}, Vec3{0.0, 1.0, 1.0}}) {
+    const Vec3 moved = 0.01 * (x + Vec3{1.0, 2.0, 3.0});
+    const Vec3 about_x = {moved.x, -moved.z, moved.y};
+    const Vec3 expected = {-about_x.y, about_x.x, about_x.z};
+    const Vec3 turned =
+        std::cos(angle) * x + std::sin(angle) * cross(axis, x) + ((1.0 - std::cos(angle)) * dot(axis, x)) * axis;
+    EXPECT_LT(norm(mesh.scale * turned + mesh.translate - expected), 1e-15);
+  }
+}
+
+TEST(ImportDeck, MovesMeshesInTheirRuns) {
+  const Deck deck =
+      import_text(test::falling +
+                  "fix cad all mesh/surface file face.stl type 1 surface_vel 0 1 0\n"
+                  "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad\nrun 10\n"
+                  "fix m1 all move/mesh mesh cad linear 0 0 0.1\nrun 20\nunfix m1\n"
+                  "fix m2 all move/mesh mesh cad rotate origin 0 0 1 axis 0 1 0 period 0.5\nrun 30\nunfix w\nrun 40\n")
+          .deck;
+  const WallDeck& mesh = wall(deck, "cad");
+  EXPECT_FALSE(mesh.present);
+  ASSERT_EQ(mesh.motions.size(), 3U);
+  EXPECT_EQ(mesh.motions[0].type, MotionType::conveyor);
+  EXPECT_EQ(mesh.motions[1].velocity, (Vec3{0.0, 0.0, 0.1}));
+  EXPECT_EQ(mesh.motions[1].phases, std::vector<std::string>{"run_3"});
+  EXPECT_DOUBLE_EQ(mesh.motions[2].angular_velocity, 4.0 * std::numbers::pi);
+  EXPECT_EQ(mesh.motions[2].phases, (std::vector<std::string>{"run_4", "run_5"}));
+  ASSERT_EQ(deck.phases.size(), 5U);
+  EXPECT_EQ(deck.phases[1].add_walls, std::vector<std::string>{"cad"});
+  EXPECT_EQ(deck.phases[4].remove_walls, std::vector<std::string>{"cad"});
+}
+
+TEST(ImportDeck, JoinsRunsBetweenWhichNothingChanges) {
+  const Deck deck = import_text(test::falling + "run 1 pre no\nrun 2000 upto\nunfix ins\nrun 5\n").deck;
+  ASSERT_EQ(deck.phases.size(), 2U);
+  EXPECT_EQ(deck.phases[0].steps, 2000);
+  EXPECT_EQ(deck.phases[1].steps, 5);
+}
+
+TEST(ImportDeck, PoursStreamsThroughTheirFace) {
+  std::string script = with("insert/pack seed 10037 distributiontemplate d insert_every once &\n",
+                            "insert/stream seed 10037 distributiontemplate d nparticles 400 particlerate 5000 &\n");
+  script.replace(script.find("region fill particles_in_region 50"), 34, "insertion_face face extrude_length 0.05");
+  script.insert(0, "fix face all mesh/surface file face.stl type 1 scale 0.1 move 0 0 0.1\n");
+  const Deck deck = import_text(script + "unfix ins\nrun 2000\n").deck;
+  ASSERT_EQ(deck.particles.size(), 1U);
+  EXPECT_EQ(deck.particles[0].type, ParticlesType::pour);
+  EXPECT_EQ(deck.particles[0].face, "face");
+  EXPECT_EQ(deck.particles[0].particle_rate, 5000.0);
+  EXPECT_DOUBLE_EQ(deck.particles[0].interval, 80e-5);  // a twentieth of the way of 8 mm at 0.5 m/s
+  EXPECT_EQ(deck.particles[0].count, 50);               // what comes until the unfix
+  EXPECT_FALSE(wall(deck, "face").present);
+}
+
+TEST(ImportDeck, FillsAgainAsOftenAsTheRegionEmpties) {
+  // At 1.5 m/s 0.1 m are behind a grain after 0.1 s: the region is empty when the next 50 come.
+  const std::string script = with("insert_every once", "insert_every 10000");
+  const std::string fast = [&] {
+    std::string text = script;
+    return text.replace(text.find("vel constant 0 0 -0.5"), 21, "vel constant 0 0 -1.5");
+  }();
+  const auto [deck, imported] = import_text(fast + "run 30001 upto\n");
+  EXPECT_TRUE(imported.missing.empty());
+  ASSERT_EQ(deck.particles.size(), 2U);
+  EXPECT_EQ(deck.particles[0].count, 50);
+  EXPECT_EQ(deck.particles[1].count, 150);
+  EXPECT_DOUBLE_EQ(deck.particles[1].interval, 0.1);
+  EXPECT_NEAR(deck.particles[1].particle_rate, 500.0, 1e-3);
+  // At rest it would still be full: what LIGGGHTS then adds has no counterpart.
+  std::string slow = script;
+  slow.replace(slow.find("gravity 9.81"), 12, "gravity 0");
+  EXPECT_EQ(import_text(slow + "run 30001 upto\n").imported.missing.size(), 1U);
+}
+
+TEST(ImportDeck, DividesADistributionByMaterials) {
+  const std::string script =
+      with("fix d all particledistribution/discrete 10009 1 t 1.0\n",
+           "fix t2 all particletemplate/sphere 10061 atom_type 1 density constant 4000 radius constant 0.002\n"
+           "fix d all particledistribution/discrete 10009 2 t 0.5 t2 0.5\n");
+  const Deck deck = import_text(script).deck;
+  ASSERT_EQ(deck.particles.size(), 2U);
+  EXPECT_EQ(deck.particles[1].material, "type1_2");
+  // Equal masses: 8 times smaller and twice as dense are 4 to 1 by number.
+  EXPECT_EQ(deck.particles[0].count, 10);
+  EXPECT_EQ(deck.particles[1].count, 40);
+}
+
+TEST(ImportDeck, KeepsWhatTheFirstRunHasAndListsTheRest) {
+  const auto [deck, imported] =
+      import_text(test::falling +
+                  "fix m4 all property/global coefficientFriction peratomtypepair 1 0.9\n"
+                  "pair_style gran model hertz tangential off\nfix g all gravity 1 vector 0 0 -1\ntimestep 1e-6\n"
+                  "run 5 every 1 \"print x\"\n");
+  EXPECT_EQ(deck.pairs[0].sliding_friction, 0.3);
+  EXPECT_EQ(deck.gravity.z, -9.81);
+  EXPECT_EQ(deck.time.step, 1e-5);
+  EXPECT_EQ(deck.phases[0].steps, 1005);
+  ASSERT_EQ(imported.missing.size(), 5U);
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(imported.missing[k].place.line, 21 + k);
+}
+
+TEST(ImportDeck, ReplacesAFixByOneOfTheSameName) {
+  const Deck deck =
+      import_text(test::falling +
+                  "fix floor all wall/gran model hertz tangential history primitive type 1 zplane -0.1\nrun 5\n")
+          .deck;
+  ASSERT_EQ(deck.walls.size(), 2U);
+  EXPECT_EQ(deck.phases[1].remove_walls, std::vector<std::string>{"floor"});
+  EXPECT_EQ(deck.phases[1].add_walls, std::vector<std::string>{"floor_2"});
+  EXPECT_EQ(error_of(before_run("region fill block 0 1 0 1 0 1 units box\n")),
+            "in.x:20: \"fill\" is in use above and would become another; give this one another name");
+  EXPECT_EQ(import_text(before_run("region fill delete\n")).deck.particles.size(), 1U);
+}
+
+TEST(ImportDeck, ListsWhatNothingUses) {
+  const std::string deck = import_text(before_run("fix k all property/global k_finnie peratomtypepair 1 1.0\n"
+                                                  "fix cad all mesh/surface file face.stl type 1\n"))
+                               .imported.deck;
+  EXPECT_NE(deck.find("#   in.x:20: fix property/global k_finnie: the contact model does not use it\n"),
+            std::string::npos)
+      << deck;
+  EXPECT_NE(deck.find("#   in.x:21: fix cad mesh/surface: neither a wall nor an insertion face\n"), std::string::npos)
+      << deck;
+  EXPECT_EQ(deck.find("face.stl\""), std::string::npos);
+}
+
+TEST(ImportDeck, ListsWhatHasNoCounterpart) {
+  const auto missing =
+      import_text(before_run("fix drag all viscous 0.1\nfix w all adapt 1 atom diameter v_d\n")).imported.missing;
+  ASSERT_EQ(missing.size(), 2U);
+  EXPECT_EQ(missing[0].command, "fix drag all viscous 0.1");
+  EXPECT_EQ(missing[0].place.line, 20U);
+  EXPECT_EQ(missing[0].reason, "there is no drag");
+  EXPECT_EQ(missing[1].reason, "the sizes of grains do not change");
+}
+
+TEST(ImportDeck, RefusesWithTheLineAndTheReason) {
+  EXPECT_EQ(error_of("units lj\n"), "in.x:1: units lj: only si and cgs are known");
+  EXPECT_EQ(error_of("atom_style bond\n"),
+            "in.x:1: atom_style bond: only grains that are spheres (granular, sphere) have a counterpart");
+  EXPECT_EQ(error_of("run 5\n"), "in.x:1: a run before any timestep");
+  EXPECT_EQ(error_of("timestep 1e-5\n"),
+            "in.x:1: the script ends, and no create_box or read_data has said what is simulated");
+  EXPECT_EQ(error_of(with("peratomtype 5e6", "peratomtype five")),
+            "in.x:6: \"five\" where a number is expected (youngsModulus)");
+  EXPECT_EQ(error_of(with("peratomtype 5e6", "peratomtype 5e6 6e6")), "in.x:6: 2 values of youngsModulus for 1 types");
+  EXPECT_EQ(error_of(with("coefficientFriction", "coefficientFrictio")),
+            "in.x:10: the model needs fix property/global coefficientFriction, which is not there");
+  EXPECT_EQ(error_of(with("model hertz tangential history\n", "model luding tangential history\n")),
+            "in.x:10: normal model \"luding\" has no counterpart; known are hertz, hooke, hooke/stiffness");
+  EXPECT_EQ(error_of(with("zplane 0", "zcone 0")),
+            "in.x:13: a wall that is a \"zcone\"; planes and cylinders across x, y and z are known");
+  EXPECT_EQ(error_of(with("region fill particles", "region full particles")),
+            "in.x:17: no region \"full\" is defined above; there are: box, fill");
+  EXPECT_EQ(error_of(with("peratomtype 0.4", "peratomtype 0.5")),
+            "in.x:7: as a deck it is refused: x.toml:16:17: \"poisson_ratio\" = 0.5 is out of range; it must be 0 <= x "
+            "< 0.5");
+  EXPECT_EQ(error_of(before_run("read_restart old\n")),
+            "in.x:20: read_restart: binary restart files are read by the program that wrote them alone; give a dump "
+            "(--dump)");
+}
+
+TEST(ImportDeck, TakesATimeStepThatIsLongerThanUsual) {
+  const Deck deck = import_text(with("timestep 1e-5", "timestep 1e-4")).deck;
+  EXPECT_EQ(deck.time.step, 1e-4);
+  EXPECT_GT(deck.time.hertz_fraction + deck.time.rayleigh_fraction, 0.3);
+}
+
+TEST(ImportDeck, NamesTheDeck) {
+  EXPECT_EQ(deck_name("a/in.chute"), "chute.toml");
+  EXPECT_EQ(deck_name("chute.in"), "chute.toml");
+  EXPECT_EQ(deck_name("in."), "deck.toml");
+}
+
+}  // namespace
+}  // namespace repose

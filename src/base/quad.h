@@ -30,7 +30,6 @@ using QuadIntInMemory = std::int64_t __attribute__((vector_size(32), may_alias))
 using QuadBitsInMemory = std::uint64_t __attribute__((vector_size(32), may_alias));
 using OctetInt = std::int64_t __attribute__((vector_size(64)));
 using OctetIntInMemory = std::int64_t __attribute__((vector_size(64), may_alias));
-using OctetOfQuadsInMemory = double __attribute__((vector_size(64), may_alias, aligned(32)));
 using OctetBits = std::uint64_t __attribute__((vector_size(64)));
 using OctetInMemory = double __attribute__((vector_size(64), may_alias));
 using OctetBitsInMemory = std::uint64_t __attribute__((vector_size(64), may_alias));

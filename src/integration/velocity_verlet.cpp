@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "base/quad.h"
@@ -25,11 +26,11 @@ template <int kicks, int lanes>
     const Octet scale = join(broadcast<Quad>(force_to_acceleration), broadcast<Quad>(torque_to_acceleration));
     const Octet sums = to_double(*reinterpret_cast<const OctetIntInMemory*>(sum));
     const Octet both = half * (scale * sums + join(gravity, Quad{}));
-    auto& velocity_and_spin = *reinterpret_cast<OctetOfQuadsInMemory*>(record + 1);
-    Octet sped_up = velocity_and_spin;
-    for (int k = 0; k < kicks; ++k) sped_up += both;
-    velocity_and_spin = sped_up;
-    return low_half(sped_up);
+    Octet velocity_and_spin;
+    std::memcpy(&velocity_and_spin, record + 1, sizeof velocity_and_spin);  // aligned to a quad only
+    for (int k = 0; k < kicks; ++k) velocity_and_spin += both;
+    std::memcpy(record + 1, &velocity_and_spin, sizeof velocity_and_spin);
+    return low_half(velocity_and_spin);
   } else {
     const Quad velocity_kick = half * (force_to_acceleration * to_double(sum[0]) + gravity);
     const Quad spin_kick = half * (torque_to_acceleration * to_double(sum[1]));

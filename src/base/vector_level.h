@@ -58,8 +58,8 @@ template <class Body>
 }  // namespace detail
 
 /// Runs `body` compiled for a level that this processor has. Only what is inlined into it uses the level: the body has
-/// to be a lambda with REPOSE_INLINE behind its parameters, and so has all that it calls. It may take the level's number
-/// of lanes as an `auto` parameter. Elsewhere than on x86-64 the compiler's own baseline serves every level.
+/// to be a lambda with REPOSE_INLINE behind its parameters, and so has all that it calls. It may take the level's
+/// number of lanes as an `auto` parameter. Elsewhere than on x86-64 the compiler's own baseline serves every level.
 template <class Body>
 auto at_level([[maybe_unused]] VectorLevel level, const Body& body) {
 #if defined(__x86_64__)

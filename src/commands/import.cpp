@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <fmt/core.h>
 
 #include "base/error.h"
@@ -10,10 +12,6 @@
 namespace repose {
 namespace {
 
-std::string text(const Note& note) {
-  return one_line(fmt::format("{}: {}: {}", text(note.place), note.command, note.reason));
-}
-
 class Import : public Command {
  public:
   void declare(Options& options) override {
@@ -25,11 +23,9 @@ class Import : public Command {
   }
 
   void carry_out(Process& process) override {
-    const std::size_t slash = script_.find_last_of('/');
-    const std::string folder = slash == std::string::npos ? "" : script_.substr(0, slash + 1);
-    const std::string name = script_.substr(folder.size());
+    const std::string name = std::filesystem::path(script_).filename().string();
     const ReadFile read = [&](const std::string& file) {
-      return read_whole_file(file == dump_ || file.starts_with('/') ? file : folder + file);
+      return read_whole_file(file == dump_ ? file : path_beside(script_, file));
     };
     const ImportedDeck imported = import_script(name, read, variables_, dump_);
     if (strict_ && !imported.missing.empty()) {

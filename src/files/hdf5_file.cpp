@@ -13,6 +13,7 @@
 #include "files/atomic_file.h"
 #include "files/disk_space.h"
 #include "files/file_seal.h"
+#include "files/hdf5_attribute.h"
 
 namespace repose {
 
@@ -51,13 +52,6 @@ Hdf5Properties group_properties(hid_t kind) {
   // A table of names that has to grow is left with bytes that nobody wrote (HDF5 1.10).
   H5Pset_local_heap_size_hint(properties.get(), name_bytes);
   return properties;
-}
-
-Hdf5Type text_type(std::size_t length, H5T_cset_t characters) {
-  Hdf5Type type(H5Tcopy(H5T_C_S1));
-  H5Tset_size(type.get(), length);
-  H5Tset_cset(type.get(), characters);
-  return type;
 }
 
 }  // namespace
@@ -149,24 +143,19 @@ void Hdf5File::link(const std::string& existing, const std::string& alias) {
 
 void Hdf5File::write_attribute(const std::string& object, const std::string& name, hid_t type, const Hdf5Space& space,
                                const void* values) {
-  lead_hdf5([&] {
-    const std::string action = fmt::format("write the attribute {} of {}", name, object);
-    const Hdf5Object owner(check_hdf5(H5Oopen(file_.get(), object.c_str(), H5P_DEFAULT), path_, action));
-    const Hdf5Attribute attribute(
-        check_hdf5(H5Acreate2(owner.get(), name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT), path_, action));
-    check_hdf5(H5Awrite(attribute.get(), type, values), path_, action);
-  });
+  lead_hdf5([&] { write_hdf5_attribute(file_, path_, object, name, type, space, values); });
 }
 
 void Hdf5File::write_attribute(const std::string& object, const std::string& name, const std::string& text) {
   const char* start = text.c_str();
-  write_attribute(object, name, text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), Hdf5Space(H5Screate(H5S_SCALAR)), &start);
+  write_attribute(object, name, hdf5_text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), Hdf5Space(H5Screate(H5S_SCALAR)),
+                  &start);
 }
 
 void Hdf5File::write_attribute(const std::string& object, const std::string& name, std::span<const std::string> texts) {
   std::vector<const char*> starts;
   for (const std::string& text : texts) starts.push_back(text.c_str());
-  write_attribute(object, name, text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), array_space(std::ssize(texts), 1),
+  write_attribute(object, name, hdf5_text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), array_space(std::ssize(texts), 1),
                   starts.data());
 }
 
@@ -188,7 +177,7 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& nam
 }
 
 void Hdf5File::write_ascii_attribute(const std::string& object, const std::string& name, const std::string& text) {
-  const Hdf5Type type = text_type(text.size(), H5T_CSET_ASCII);
+  const Hdf5Type type = hdf5_text_type(text.size(), H5T_CSET_ASCII);
   H5Tset_strpad(type.get(), H5T_STR_NULLPAD);  // the reader of VTK 9.2 takes a zero at the end for a part of the text
   write_attribute(object, name, type.get(), Hdf5Space(H5Screate(H5S_SCALAR)), text.c_str());
 }
@@ -229,7 +218,7 @@ void Hdf5File::write_texts(const std::string& dataset, std::span<const std::stri
   for (const std::string& text : texts) rows += text + std::string(length - text.size(), '\0');
   const std::int64_t count = std::ssize(texts);
   const std::int64_t here = comm_.is_root() ? count : 0;
-  write_rows(dataset, text_type(length, H5T_CSET_UTF8).get(), rows.data(), static_cast<std::size_t>(here),
+  write_rows(dataset, hdf5_text_type(length, H5T_CSET_UTF8).get(), rows.data(), static_cast<std::size_t>(here),
              {count, 0, here}, 1);
 }
 

@@ -1,18 +1,11 @@
 #include "files/hdf5_image.h"
 
-#include <fmt/core.h>
+#include "files/hdf5_attribute.h"
 
 namespace repose {
 namespace {
 
 constexpr std::size_t grows_by = 1 << 20;  // bytes
-
-Hdf5Type utf8_text() {
-  Hdf5Type type(H5Tcopy(H5T_C_S1));
-  H5Tset_size(type.get(), H5T_VARIABLE);
-  H5Tset_cset(type.get(), H5T_CSET_UTF8);
-  return type;
-}
 
 Hdf5Space space_of(const std::vector<std::uint64_t>& shape) {
   if (shape.empty()) return Hdf5Space(H5Screate(H5S_SCALAR));
@@ -40,23 +33,20 @@ void Hdf5Image::create_group(const std::string& group) {
 
 void Hdf5Image::write_attribute(const std::string& object, const std::string& name, hid_t type, const Hdf5Space& space,
                                 const void* values) {
-  const std::string action = fmt::format("write the attribute {} of {}", name, object);
-  const Hdf5Object owner(check_hdf5(H5Oopen(file_.get(), object.c_str(), H5P_DEFAULT), name_, action));
-  const Hdf5Attribute attribute(
-      check_hdf5(H5Acreate2(owner.get(), name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT), name_, action));
-  check_hdf5(H5Awrite(attribute.get(), type, values), name_, action);
+  write_hdf5_attribute(file_, name_, object, name, type, space, values);
 }
 
 void Hdf5Image::write_attribute(const std::string& object, const std::string& name, const std::string& text) {
   const char* start = text.c_str();
-  write_attribute(object, name, utf8_text().get(), space_of({}), &start);
+  write_attribute(object, name, hdf5_text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), space_of({}), &start);
 }
 
 void Hdf5Image::write_attribute(const std::string& object, const std::string& name,
                                 std::span<const std::string> texts) {
   std::vector<const char*> starts;
   for (const std::string& text : texts) starts.push_back(text.c_str());
-  write_attribute(object, name, utf8_text().get(), space_of({texts.size()}), starts.data());
+  write_attribute(object, name, hdf5_text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), space_of({texts.size()}),
+                  starts.data());
 }
 
 void Hdf5Image::write_attribute(const std::string& object, const std::string& name,

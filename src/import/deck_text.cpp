@@ -13,7 +13,7 @@ std::string DeckNames::take(const std::string& wanted) {
   if (name.empty() || std::isalpha(static_cast<unsigned char>(name[0])) == 0) name = "w" + name;
   const std::string stem = name;
   for (int k = 2; !taken_.insert(name).second; ++k) name = stem + "_" + std::to_string(k);
-  return latest_ = name;
+  return name;
 }
 
 }  // namespace repose

@@ -42,12 +42,9 @@ class DeckNames {
  public:
   /// A letter, then letters, digits, _ and -, as near to `wanted` as may be.
   std::string take(const std::string& wanted);
-  /// What was taken last.
-  const std::string& latest() const { return latest_; }
 
  private:
   std::set<std::string> taken_;
-  std::string latest_;
 };
 
 }  // namespace repose

@@ -149,9 +149,8 @@ void set(Translation& to, Words& words) {
   while (!words.at_end()) {
     const std::string key = words.word("a key");
     if (key == "type") {
-      const std::int64_t type = words.integer("the type");
-      if (type < 1 || type > 1000) words.fail("types are counted from 1 on");
-      for (Grain* grain : grains) grain->type = static_cast<int>(type);
+      const int type = words.type();
+      for (Grain* grain : grains) grain->type = type;
     } else if (member(any, key) != nullptr) {
       const double value = words.number(key) * unit_of(key, to.scene.units);
       if ((key == "density" || key == "diameter") && !(value > 0.0)) words.fail(fmt::format("{} is above 0", key));

@@ -1,14 +1,14 @@
 #include "import/grain_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/core.h>
 
 #include "files/csv_file.h"
 #include "files/text_table.h"
-#include "import/script.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {
@@ -39,21 +39,28 @@ std::vector<TableLine> table_lines(std::string_view text, const std::string& fil
   return lines;
 }
 
-double number(const TableLine& line, std::size_t column, std::string_view what) {
+const std::string& word(const TableLine& line, std::size_t column, std::string_view what) {
   if (column >= line.words.size()) refuse(line.place, fmt::format("the line ends before {}", what));
-  return number_of(line.words[column], line.place, what);
+  return line.words[column];
+}
+
+double number(const TableLine& line, std::size_t column, std::string_view what) {
+  return number_of(word(line, column, what), line.place, what);
 }
 
 std::int64_t whole(const TableLine& line, std::size_t column, std::string_view what) {
-  const double value = number(line, column, what);
-  if (value != std::floor(value) || std::fabs(value) > most_grains) {
-    refuse(line.place, fmt::format("\"{}\" where a whole number is expected ({})", line.words[column], what));
-  }
-  return static_cast<std::int64_t>(value);
+  return integer_of(word(line, column, what), line.place, what, most_grains);
+}
+
+/// The columns of x, y and z.
+using VectorColumns = std::array<std::size_t, 3>;
+
+Vec3 vector(const TableLine& line, const VectorColumns& columns, std::string_view what) {
+  return {number(line, columns[0], what), number(line, columns[1], what), number(line, columns[2], what)};
 }
 
 Vec3 vector(const TableLine& line, std::size_t column, std::string_view what) {
-  return {number(line, column, what), number(line, column + 1, what), number(line, column + 2, what)};
+  return vector(line, VectorColumns{column, column + 1, column + 2}, what);
 }
 
 void check(const Grain& grain, const Place& place, bool needs_density) {
@@ -118,13 +125,12 @@ struct Columns {
     }
     return {};
   }
-  std::optional<std::array<std::size_t, 3>> find_vector(std::string_view x, std::string_view y,
-                                                        std::string_view z) const {
+  std::optional<VectorColumns> find_vector(std::string_view x, std::string_view y, std::string_view z) const {
     const auto a = find({x});
     const auto b = find({y});
     const auto c = find({z});
     if (!a || !b || !c) return {};
-    return std::array<std::size_t, 3>{*a, *b, *c};
+    return VectorColumns{*a, *b, *c};
   }
 
  private:
@@ -134,9 +140,9 @@ struct Columns {
 /// What is read of each line of a dump.
 struct DumpForm {
   std::optional<std::size_t> id = {}, type = {}, radius = {}, diameter = {}, density = {}, mass = {};
-  std::array<std::size_t, 3> position{};
+  VectorColumns position{};
   bool is_scaled = false;  ///< positions are shares of the box
-  std::optional<std::array<std::size_t, 3>> velocity = {}, spin = {};
+  std::optional<VectorColumns> velocity = {}, spin = {};
 };
 
 DumpForm form_of(const TableLine& head) {
@@ -155,10 +161,6 @@ DumpForm form_of(const TableLine& head) {
   return form;
 }
 
-Vec3 vector(const TableLine& line, const std::array<std::size_t, 3>& columns, std::string_view what) {
-  return {number(line, columns[0], what), number(line, columns[1], what), number(line, columns[2], what)};
-}
-
 Grain dump_grain(const TableLine& line, const DumpForm& form, const Extent& box, const ScriptUnits& units,
                  std::int64_t place) {
   Grain grain;
@@ -174,8 +176,7 @@ Grain dump_grain(const TableLine& line, const DumpForm& form, const Extent& box,
   if (form.density) {
     grain.density = number(line, *form.density, "density") * units.density();
   } else if (form.mass && grain.radius > 0.0) {
-    const double volume = 4.0 / 3.0 * std::numbers::pi * (grain.radius * grain.radius * grain.radius);
-    grain.density = number(line, *form.mass, "mass") * units.mass / volume;
+    grain.density = number(line, *form.mass, "mass") * units.mass / sphere_volume(grain.radius);
   }
   check(grain, line.place, false);
   return grain;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 #include <fmt/core.h>
 
@@ -20,8 +21,14 @@
 namespace repose {
 namespace {
 
-constexpr const char* grain_file = "grains.csv";
-constexpr const char* fixed_grain_file = "grains_fixed.csv";
+/// All of a deck but the files beside it.
+struct Draft {
+  std::string deck = {};
+  std::vector<Note> missing = {};
+  std::map<std::string, std::string> mesh_files = {};  ///< file of the script -> beside the deck
+};
+
+const char* grain_file(bool is_fixed) { return is_fixed ? "grains_fixed.csv" : "grains.csv"; }
 
 /// What a simulation cannot be without; `end` is the last line of the script.
 void check_complete(const ImportedScene& scene, const Place& end) {
@@ -61,21 +68,32 @@ void take_dump(Translation& to, const std::string& dump) {
 }
 
 /// The grains of lists: a block of those that move, and one of those that are frozen.
-void write_grain_blocks(DeckText& deck, const ImportedScene& scene, const MaterialsUsed& materials,
-                        ImportedDeck& result) {
+void write_grain_blocks(DeckText& deck, const ImportedScene& scene) {
+  for (const bool is_fixed : {false, true}) {
+    const bool has_some = std::any_of(scene.grains.begin(), scene.grains.end(),
+                                      [&](const Grain& grain) { return grain.is_fixed == is_fixed; });
+    if (!has_some) continue;
+    deck.section("[[particles]]", scene.grain_places.front());
+    deck.key("type", "csv");
+    deck.key("file", grain_file(is_fixed));
+    if (is_fixed) deck.key("fixed", true);
+  }
+}
+
+/// Names and bytes of what lies beside the deck: lists of grains and meshes.
+std::vector<std::pair<std::string, std::string>> files_of(const ImportedScene& scene, const Draft& draft,
+                                                          const ReadFile& read_file) {
+  const MaterialsUsed materials(scene);
+  std::vector<std::pair<std::string, std::string>> files;
   for (const bool is_fixed : {false, true}) {
     std::vector<std::pair<Grain, std::string>> chosen;
     for (const Grain& grain : scene.grains) {
       if (grain.is_fixed == is_fixed) chosen.emplace_back(grain, materials.of_grains(grain.type, grain.density));
     }
-    if (chosen.empty()) continue;
-    const char* file = is_fixed ? fixed_grain_file : grain_file;
-    result.files.emplace_back(file, grain_csv(chosen));
-    deck.section("[[particles]]", scene.grain_places.front());
-    deck.key("type", "csv");
-    deck.key("file", file);
-    if (is_fixed) deck.key("fixed", true);
+    if (!chosen.empty()) files.emplace_back(grain_file(is_fixed), grain_csv(chosen));
   }
+  for (const auto& [there, here] : draft.mesh_files) files.emplace_back(here, read_file(there));
+  return files;
 }
 
 void write_notes(DeckText& deck, const std::string& title, std::vector<Note> notes) {
@@ -86,7 +104,7 @@ void write_notes(DeckText& deck, const std::string& title, std::vector<Note> not
   deck.blank();
   deck.comment(title);
   for (const Note& note : notes) {
-    deck.comment(one_line(fmt::format("  {}: {}: {}", text(note.place), note.command, note.reason)));
+    deck.comment("  " + text(note));
   }
 }
 
@@ -101,23 +119,18 @@ void note_unused(ImportedScene& scene, const ScriptModel& model) {
   }
   for (const auto& entry : scene.meshes) {
     const std::string& name = entry.first;
-    const bool is_wall = std::any_of(scene.walls.begin(), scene.walls.end(), [&](const ScriptWall& wall) {
-      return std::find(wall.meshes.begin(), wall.meshes.end(), name) != wall.meshes.end();
-    });
     const bool is_face = std::any_of(scene.insertions.begin(), scene.insertions.end(),
                                      [&](const ScriptInsertion& insertion) { return insertion.face == name; });
-    if (!is_wall && !is_face)
+    if (!scene.has_wall_of(name) && !is_face)
       note(entry.second.place, "fix " + name + " mesh/surface", "neither a wall nor an insertion face");
   }
 }
 
-/// The whole deck. Notes what has no counterpart anew each time.
-std::string deck_text(ImportedScene scene, const std::string& script, const TimeShares& shares, ImportedDeck& result,
-                      std::map<std::string, std::string>& mesh_files) {
+/// Notes what has no counterpart, and what is not needed, in a scene of its own.
+Draft draft_of(ImportedScene scene, const std::string& script, const TimeShares& shares) {
   const MaterialsUsed materials(scene);
   const Extent domain = domain_of(scene);
   DeckText deck;
-  result.files.clear();
   deck.comment(
       one_line(fmt::format("Imported from {} by repose import; file:line says where a part comes from.", script)));
   deck.blank();
@@ -128,8 +141,8 @@ std::string deck_text(ImportedScene scene, const std::string& script, const Time
   write_domain(deck, scene, domain);
   write_materials(deck, scene, materials);
   write_contact(deck, scene, materials);
-  const WallNames walls = write_walls(deck, scene, materials, domain);
-  write_grain_blocks(deck, scene, materials, result);
+  WallNames walls = write_walls(deck, scene, materials, domain);
+  write_grain_blocks(deck, scene);
   write_insertions(deck, scene, materials, walls, domain);
   write_time(deck, scene, shares);
   write_phases(deck, scene, walls);
@@ -142,9 +155,7 @@ std::string deck_text(ImportedScene scene, const std::string& script, const Time
   note_unused(scene, materials.model());
   write_notes(deck, "Without a counterpart:", scene.missing);
   write_notes(deck, "Not needed:", scene.needless);
-  result.missing = scene.missing;
-  mesh_files = walls.mesh_files;
-  return deck.text();
+  return {deck.text(), std::move(scene.missing), std::move(walls.mesh_files)};
 }
 
 /// The line of the script that stands behind a line of the deck, in which an error was found as "name:line:...".
@@ -189,12 +200,9 @@ double share_of(double step, double critical) {
 }  // namespace
 
 std::string deck_name(const std::string& script) {
-  std::string name = script.substr(script.find_last_of('/') == std::string::npos ? 0 : script.find_last_of('/') + 1);
-  if (name.starts_with("in.")) {
-    name = name.substr(3);
-  } else if (name.find_last_of('.') != std::string::npos && name.find_last_of('.') > 0) {
-    name = name.substr(0, name.find_last_of('.'));
-  }
+  const std::filesystem::path path(script);
+  const std::string file = path.filename().string();
+  const std::string name = file.starts_with("in.") ? file.substr(3) : path.stem().string();
   return (name.empty() ? "deck" : name) + ".toml";
 }
 
@@ -208,22 +216,20 @@ ImportedDeck import_script(const std::string& script, const ReadFile& read_file,
   });
   if (!dump.empty()) take_dump(to, dump);
   check_complete(to.scene, last);
-  ImportedDeck result;
-  std::map<std::string, std::string> mesh_files;
-  const std::string loose = deck_text(to.scene, script, {}, result, mesh_files);
-  for (const auto& [there, here] : mesh_files) result.files.emplace_back(here, read_file(there));
+  const Draft loose = draft_of(to.scene, script, {});
+  ImportedDeck result{.deck = {}, .files = files_of(to.scene, loose, read_file), .missing = {}};
   const ReadFile read_imported = [&](const std::string& name) {
     for (const auto& [file, bytes] : result.files) {
       if (file == name) return bytes;
     }
     throw FileError(fmt::format("{}: not imported", name));
   };
-  const TimeStep dt = planned_step(loose, script, read_imported);
+  const TimeStep dt = planned_step(loose.deck, script, read_imported);
   const TimeShares shares{share_of(dt.step, dt.rayleigh_limit), share_of(dt.step, dt.hertz_limit),
                           share_of(dt.step, dt.hooke_limit)};
-  auto files = std::move(result.files);
-  result.deck = deck_text(to.scene, script, shares, result, mesh_files);
-  result.files = std::move(files);
+  Draft draft = draft_of(to.scene, script, shares);
+  result.deck = std::move(draft.deck);
+  result.missing = std::move(draft.missing);
   read_imported_deck(result.deck, script);
   return result;
 }

@@ -27,6 +27,9 @@ struct Note {
   std::string reason = {};
 };
 
+/// "file:line: command: reason", as one line.
+std::string text(const Note& note);
+
 struct Extent {
   Vec3 min = {};
   Vec3 max = {};
@@ -198,6 +201,8 @@ struct ImportedScene {
   std::vector<Note> needless = {};                ///< what a deck need not say
 
   bool has_run() const { return !runs.empty(); }
+  /// Whether this mesh is, or has been, a wall.
+  bool has_wall_of(const std::string& mesh) const;
   std::int64_t steps() const {
     std::int64_t all = 0;
     for (const ScriptRun& run : runs) all += run.steps;

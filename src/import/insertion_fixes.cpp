@@ -15,7 +15,7 @@ void particle_template(Translation& to, Words& words) {
   while (!words.at_end()) {
     const std::string key = words.word("a key");
     if (key == "atom_type") {
-      made.type = static_cast<int>(std::clamp<std::int64_t>(words.integer("the type"), 0, 1001));
+      made.type = words.type();
     } else if (key == "density" || key == "radius") {
       const std::string& style = words.word("how it is distributed");
       if (style != "constant")
@@ -29,7 +29,6 @@ void particle_template(Translation& to, Words& words) {
   }
   made.density *= to.scene.units.density();
   made.radius *= to.scene.units.length;
-  if (made.type < 1 || made.type > 1000) words.fail("types are counted from 1 on");
   if (!(made.density > 0.0) || !(made.radius > 0.0)) words.fail("density and radius are above 0");
   to.scene.templates[words.command().words[1]] = made;
 }
@@ -90,9 +89,9 @@ std::optional<double> amount(Words& words, const std::string& key, double unit) 
   return value;
 }
 
-/// Keys that change nothing here, with the number of their values; -1: not one of them.
-int needless_values(const std::string& key) {
-  static const std::map<std::string, int> values = {
+/// Keys that change nothing here, with the number of their values.
+const std::map<std::string, int>& needless_keys() {
+  static const std::map<std::string, int> keys = {
       {"maxattempt", 1},     {"overlapcheck", 1},
       {"all_in", 1},         {"random_distribute", 1},
       {"verbose", 1},        {"compress_tags", 1},
@@ -102,8 +101,7 @@ int needless_values(const std::string& key) {
       {"duration_time", 1},  {"save_template", 1},
       {"check_obb", 1},
   };
-  const auto found = values.find(key);
-  return found == values.end() ? -1 : found->second;
+  return keys;
 }
 
 void orientation(Words& words) {
@@ -162,9 +160,7 @@ void read_key(const std::string& key, ScriptInsertion& made, Translation& to, Wo
     note_missing(to.scene, words.command(), "grains have no other properties");
     words.word("the property");
     words.word("its value");
-  } else if (const int values = needless_values(key); values >= 0) {
-    for (int k = 0; k < values; ++k) words.word(key);
-  } else {
+  } else if (!words.skip_needless(key, needless_keys())) {
     words.fail(fmt::format("fix {}: \"{}\" has no counterpart", words.command().words[3], key));
   }
 }

@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "scene/particles/sphere_mass.h"
+
 namespace repose {
 namespace {
 
@@ -25,9 +27,7 @@ struct Portion {
   std::map<double, double> classes = {};  ///< share by diameter, of mass or number as the distribution says
 };
 
-double mass_of(const ParticleTemplate& made) {
-  return 4.0 / 3.0 * std::numbers::pi * (made.radius * made.radius * made.radius) * made.density;
-}
+double mass_of(const ParticleTemplate& made) { return sphere_volume(made.radius) * made.density; }
 
 std::vector<Portion> portions(const ImportedScene& scene, const ScriptDistribution& distribution,
                               const MaterialsUsed& materials) {
@@ -112,7 +112,7 @@ class InsertionWriter {
       if (run < insertion.until) last_step_ += scene_.runs[run].steps;
     }
     first_step_ = std::max(first_step_, insertion.start);
-    if (insertion.from >= std::min(insertion.until, scene_.runs.size()) || first_step_ >= last_step_) {
+    if (first_step_ >= last_step_) {
       scene_.needless.push_back({insertion.place, "fix " + insertion.name, "it ends before it begins"});
       return;
     }

@@ -85,10 +85,7 @@ const MaterialUsed* MaterialsUsed::find_wall(const ScriptWall& wall, int type) c
 }
 
 void MaterialsUsed::add_wall(const ScriptWall& wall, int type) {
-  if (const MaterialUsed* found = find_wall(wall, type)) {
-    materials_[static_cast<std::size_t>(found - materials_.data())].is_of_walls = true;
-    return;
-  }
+  if (find_wall(wall, type) != nullptr) return;
   const auto is_named = [&](const std::string& name) {
     return std::any_of(materials_.begin(), materials_.end(), [&](const MaterialUsed& m) { return m.name == name; });
   };
@@ -100,7 +97,6 @@ void MaterialsUsed::add_wall(const ScriptWall& wall, int type) {
                         .type = type,
                         .density = density_of_walls,
                         .is_of_grains = false,
-                        .is_of_walls = true,
                         .slides = wall.model.tangential != "off",
                         .coheres = wall.model.cohesion != "off",
                         .rolls = wall.model.rolling != "off",

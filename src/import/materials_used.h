@@ -14,7 +14,6 @@ struct MaterialUsed {
   int type = 1;
   double density = 0.0;  ///< kg/m3
   bool is_of_grains = true;
-  bool is_of_walls = false;
   bool slides = true;  ///< walls alone: whether there is friction
   bool coheres = true;
   bool rolls = true;

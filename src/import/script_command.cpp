@@ -5,13 +5,13 @@
 
 #include <fmt/core.h>
 
-#include "base/error.h"
+#include "files/text_table.h"
 
 namespace repose {
 
 std::string text(const Place& place) { return fmt::format("{}:{}", place.file, place.line); }
 
-void refuse(const Place& place, const std::string& what) { throw DeckError(text(place) + ": " + what); }
+void refuse(const Place& place, const std::string& what) { fail_at({place.file, place.line}, what); }
 
 std::string text(const ScriptCommand& command) {
   std::string line;
@@ -28,6 +28,14 @@ double number_of(const std::string& word, const Place& place, std::string_view w
     refuse(place, fmt::format("\"{}\" where a number is expected ({})", word, what));
   }
   return value;
+}
+
+std::int64_t integer_of(const std::string& word, const Place& place, std::string_view what, double most) {
+  const double value = number_of(word, place, what);
+  if (value != std::floor(value) || std::fabs(value) > most) {
+    refuse(place, fmt::format("\"{}\" where a whole number is expected ({})", word, what));
+  }
+  return static_cast<std::int64_t>(value);
 }
 
 bool Words::take(std::string_view word) {
@@ -49,18 +57,27 @@ const std::string& Words::word(std::string_view what) {
 double Words::number(std::string_view what) { return number_of(word(what), command_.place, what); }
 
 std::int64_t Words::integer(std::string_view what) {
-  const double value = number(what);
   constexpr double most = 9e15;  // whole numbers that a double holds
-  if (value != std::floor(value) || std::fabs(value) > most) {
-    fail(fmt::format("\"{}\" where a whole number is expected ({})", command_.words[next_ - 1], what));
-  }
-  return static_cast<std::int64_t>(value);
+  return integer_of(word(what), command_.place, what, most);
 }
 
 Vec3 Words::vector(std::string_view what) {
   const double x = number(what);
   const double y = number(what);
   return {x, y, number(what)};
+}
+
+int Words::type() {
+  const std::int64_t type = integer("the type");
+  if (type < 1 || type > 1000) fail(fmt::format("type {}; types are counted from 1 on", type));
+  return static_cast<int>(type);
+}
+
+bool Words::skip_needless(const std::string& key, const std::map<std::string, int>& needless) {
+  const auto found = needless.find(key);
+  if (found == needless.end()) return false;
+  for (int k = 0; k < found->second; ++k) word(key);
+  return true;
 }
 
 bool Words::choice(std::string_view what) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,8 @@ std::string text(const ScriptCommand& command);
 
 /// A finite number; DeckError at the place when `word` is something else. `what` names it in the message.
 double number_of(const std::string& word, const Place& place, std::string_view what);
+/// The same for a whole number of at most this magnitude.
+std::int64_t integer_of(const std::string& word, const Place& place, std::string_view what, double most);
 
 /// Reads the words of a command one after the other. What is missing or malformed is a DeckError at its line.
 class Words {
@@ -39,8 +42,13 @@ class Words {
   double number(std::string_view what);
   std::int64_t integer(std::string_view what);
   Vec3 vector(std::string_view what);
+  /// Of atoms or walls, from 1 on.
+  int type();
   /// yes or no, on or off.
   bool choice(std::string_view what);
+  /// Whether the word `key`, just read, is one that changes nothing here; its values, as many as stand beside it, are
+  /// behind us then.
+  bool skip_needless(const std::string& key, const std::map<std::string, int>& needless);
   /// All that are left.
   std::vector<std::string> rest();
   [[noreturn]] void fail(const std::string& what) const { refuse(command_.place, what); }

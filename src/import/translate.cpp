@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "base/error.h"
+
 namespace repose {
 namespace {
 
@@ -148,6 +150,16 @@ bool is_noted(const std::vector<Note>& notes, const ScriptCommand& command) {
 
 }  // namespace
 
+std::string text(const Note& note) {
+  return one_line(fmt::format("{}: {}: {}", text(note.place), note.command, note.reason));
+}
+
+bool ImportedScene::has_wall_of(const std::string& mesh) const {
+  return std::any_of(walls.begin(), walls.end(), [&](const ScriptWall& wall) {
+    return std::find(wall.meshes.begin(), wall.meshes.end(), mesh) != wall.meshes.end();
+  });
+}
+
 void note_missing(ImportedScene& scene, const ScriptCommand& command, const std::string& reason) {
   scene.missing.push_back({command.place, text(command), reason});
 }
@@ -178,8 +190,7 @@ bool is_in_use(const ImportedScene& scene, const std::string& name) {
   const auto has = [&](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  return any(scene.walls, [&](const ScriptWall& wall) { return has(wall.meshes); }) ||
-         any(scene.motions, [&](const MeshMotion& moves) { return moves.mesh == name; }) ||
+  return scene.has_wall_of(name) || any(scene.motions, [&](const MeshMotion& moves) { return moves.mesh == name; }) ||
          any(scene.insertions, [&](const ScriptInsertion& insertion) {
            return insertion.distribution == name || insertion.region == name || insertion.face == name ||
                   has(scene.distributions.at(insertion.distribution).templates);

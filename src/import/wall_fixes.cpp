@@ -9,48 +9,46 @@
 namespace repose {
 namespace {
 
-/// The number of a type, which materials are named by.
-int atom_type(Words& words) {
-  const std::int64_t type = words.integer("the type");
-  if (type < 1 || type > 1000) words.fail(fmt::format("type {}; types are counted from 1 on", type));
-  return static_cast<int>(type);
-}
-
 Vec3 axis(Words& words) {
   const Vec3 direction = words.vector("the axis");
   if (!(norm(direction) > 0.0)) words.fail("the axis has no length");
   return direction;
 }
 
-MotionDeck surface_turn(Words& words, const ScriptUnits& units) {
+/// A rotation about its axis, still without a speed.
+MotionDeck rotation(Words& words, const ScriptUnits& units) {
   MotionDeck motion;
   motion.type = MotionType::rotation;
   words.expect("origin");
   motion.axis_origin = units.length * words.vector("the origin of the axis");
   words.expect("axis");
   motion.axis_direction = axis(words);
+  return motion;
+}
+
+MotionDeck surface_turn(Words& words, const ScriptUnits& units) {
+  MotionDeck motion = rotation(words, units);
   words.expect("omega");
   motion.angular_velocity = words.number("the angular velocity") / units.time;
   return motion;
 }
 
-/// Keys of fix mesh/surface that change nothing here, with the number of their values; -1: not one of them.
-int needless_values(const std::string& key) {
-  static const std::map<std::string, int> values = {
+/// Keys of fix mesh/surface that change nothing here, with the number of their values.
+const std::map<std::string, int>& needless_keys() {
+  static const std::map<std::string, int> keys = {
       {"verbose", 1},          {"heal", 1},
       {"precision", 1},        {"min_feature_length", 1},
       {"stress", 1},           {"temperature", 1},
       {"mass_temperature", 1}, {"element_exclusion_list", 2},
       {"reference_point", 3},  {"curvature_tolerant", 1},
   };
-  const auto found = values.find(key);
-  return found == values.end() ? -1 : found->second;
+  return keys;
 }
 
 void read_mesh_key(const std::string& key, ScriptMesh& mesh, Translation& to, Words& words) {
   const ScriptUnits& units = to.scene.units;
   if (key == "type") {
-    mesh.type = atom_type(words);
+    mesh.type = words.type();
   } else if (key == "scale") {
     scale_mesh(mesh, words.number("the scale"));
     if (!(mesh.scale > 0.0)) words.fail("a mesh is scaled by a number above 0");
@@ -69,9 +67,7 @@ void read_mesh_key(const std::string& key, ScriptMesh& mesh, Translation& to, Wo
     mesh.feature_angle = words.number("the angle");
   } else if (key == "wear") {
     if (words.word("the wear model") != "off") note_missing(to.scene, words.command(), "walls do not wear");
-  } else if (const int values = needless_values(key); values >= 0) {
-    for (int k = 0; k < values; ++k) words.word(key);
-  } else {
+  } else if (!words.skip_needless(key, needless_keys())) {
     words.fail(fmt::format("fix mesh/surface: \"{}\" has no counterpart", key));
   }
 }
@@ -95,7 +91,7 @@ void mesh(Translation& to, Words& words) {
 
 void primitive(ScriptWall& wall, Words& words, const ScriptUnits& units) {
   words.expect("type");
-  wall.type = atom_type(words);
+  wall.type = words.type();
   wall.shape = words.word("the shape of the wall");
   const bool is_plane = wall.shape == "xplane" || wall.shape == "yplane" || wall.shape == "zplane";
   if (!is_plane && wall.shape != "xcylinder" && wall.shape != "ycylinder" && wall.shape != "zcylinder") {
@@ -151,6 +147,14 @@ void wall(Translation& to, Words& words) {
   to.scene.walls.push_back(std::move(wall));
 }
 
+/// `per_period` over a period in s.
+double over_period(double per_period, Words& words, const ScriptUnits& units) {
+  words.expect("period");
+  const double rate = per_period / (words.number("the period") * units.time);
+  if (!std::isfinite(rate)) words.fail("a period is above 0");
+  return rate;
+}
+
 MotionDeck motion(const std::string& style, Words& words, const ScriptUnits& units) {
   MotionDeck motion;
   if (style == "linear") {
@@ -159,20 +163,10 @@ MotionDeck motion(const std::string& style, Words& words, const ScriptUnits& uni
     motion.type = MotionType::oscillation;
     words.expect("amplitude");
     motion.amplitude = units.length * words.vector("the amplitude");
-    words.expect("period");
-    motion.frequency = 1.0 / (words.number("the period") * units.time);
+    motion.frequency = over_period(1.0, words, units);
   } else {
-    motion.type = MotionType::rotation;
-    words.expect("origin");
-    motion.axis_origin = units.length * words.vector("the origin of the axis");
-    words.expect("axis");
-    motion.axis_direction = axis(words);
-    words.expect("period");
-    motion.angular_velocity = 2.0 * std::numbers::pi / (words.number("the period") * units.time);
-  }
-  if (!std::isfinite(motion.type == MotionType::rotation ? motion.angular_velocity : motion.frequency) &&
-      motion.type != MotionType::translation) {
-    words.fail("a period is above 0");
+    motion = rotation(words, units);
+    motion.angular_velocity = over_period(2.0 * std::numbers::pi, words, units);
   }
   return motion;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include <fmt/core.h>
 
@@ -36,9 +37,9 @@ class WallWriter {
  private:
   bool is_ever_there(std::size_t from, std::size_t until) const { return from < std::min(until, scene_.runs.size()); }
 
-  /// Head of a wall, which then has its name.
-  void begin(const std::string& wanted, const Place& place, const std::string& type, const std::string& material,
-             const ScriptWall* wall) {
+  /// Head of a wall; returns its name.
+  std::string begin(const std::string& wanted, const Place& place, const std::string& type, const std::string& material,
+                    const ScriptWall* wall) {
     const std::string name = names_.take(wanted);
     deck_.section("[[wall]]", place);
     deck_.key("name", name);
@@ -46,6 +47,7 @@ class WallWriter {
     deck_.key("material", material);
     if (wall == nullptr || wall->from > 0) deck_.key("present", false);
     if (wall != nullptr) result_.present.push_back({name, wall->from, wall->until});
+    return name;
   }
 
   void conveyor(const Vec3& velocity) {
@@ -80,7 +82,7 @@ class WallWriter {
   std::string mesh_file(const std::string& file) {
     const auto found = result_.mesh_files.find(file);
     if (found != result_.mesh_files.end()) return found->second;
-    std::string name = file.substr(file.find_last_of('/') == std::string::npos ? 0 : file.find_last_of('/') + 1);
+    std::string name = std::filesystem::path(file).filename().string();
     const auto is_taken = [&](const std::string& wanted) {
       return std::any_of(result_.mesh_files.begin(), result_.mesh_files.end(),
                          [&](const auto& entry) { return entry.second == wanted; });
@@ -116,8 +118,7 @@ class WallWriter {
 
   void write_face(const std::string& name) {
     const ScriptMesh& mesh = scene_.meshes.at(name);
-    begin(name, mesh.place, "mesh", materials_.all().front().name, nullptr);
-    result_.faces[name] = names_.latest();
+    result_.faces[name] = begin(name, mesh.place, "mesh", materials_.all().front().name, nullptr);
     place_mesh(mesh);
   }
 
@@ -143,10 +144,7 @@ class WallWriter {
 
   void note_motions_of_no_wall() {
     for (const MeshMotion& moves : scene_.motions) {
-      const bool has_wall = std::any_of(scene_.walls.begin(), scene_.walls.end(), [&](const ScriptWall& wall) {
-        return std::find(wall.meshes.begin(), wall.meshes.end(), moves.mesh) != wall.meshes.end();
-      });
-      if (!has_wall) {
+      if (!scene_.has_wall_of(moves.mesh)) {
         scene_.needless.push_back({moves.place, "fix " + moves.name, fmt::format("mesh {} is no wall", moves.mesh)});
       }
     }

@@ -42,9 +42,9 @@ template <int kicks, int lanes>
   }
 }
 
-/// Whether one of the first three lanes is set.
-[[gnu::always_inline]] inline bool any_lane(const QuadInt& condition) {
-  return (condition[0] | condition[1] | condition[2]) != 0;
+/// Whether a condition holds anywhere. The fourth elements, which are no coordinates, meet none of those below.
+[[gnu::always_inline]] inline bool is_anywhere(const QuadInt& condition) {
+  return any_bits(reinterpret_cast<QuadBits>(condition)) != 0;
 }
 
 [[gnu::always_inline]] inline std::size_t count_outside(const Quad& low, const Quad& high, const Particles& particles,
@@ -53,7 +53,7 @@ template <int kicks, int lanes>
   std::size_t outside = 0;
   for (std::size_t i = 0; i < size; ++i) {
     const Quad position = record[3 * i];
-    if (any_lane((position < low) | (position >= high))) ++outside;
+    if (is_anywhere((position < low) | (position >= high))) ++outside;
   }
   return outside;
 }
@@ -95,8 +95,8 @@ template <int kicks, int lanes, bool periodic>
     longest = longest > lengths ? longest : lengths;
     nowhere |= position != position;
   }
-  notes.nowhere = any_lane(nowhere);
-  if (any_lane(beyond)) notes.outside = count_outside(low, high, particles, marks.size());
+  notes.nowhere = is_anywhere(nowhere);
+  if (is_anywhere(beyond)) notes.outside = count_outside(low, high, particles, marks.size());
   notes.longest_step = std::max({longest[0], longest[1], longest[2]});
   std::fill(particles.sum.begin() + static_cast<std::ptrdiff_t>(marks.size()), particles.sum.end(), ForceSum{});
   return notes;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "deck/read_deck.h"
+#include "deck_error.h"
 #include "import/import_script.h"
 #include "import_samples.h"
 
@@ -31,12 +32,7 @@ Imported import_text(const std::string& script) {
 }
 
 std::string error_of(const std::string& script) {
-  try {
-    import_text(script);
-  } catch (const DeckError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::deck_error([&] { import_text(script); });
 }
 
 /// `falling` with a text in place of another.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "deck_error.h"
 #include "import/formula.h"
 #include "import/script.h"
 #include "import_samples.h"
@@ -26,12 +27,7 @@ std::vector<std::string> commands_of(const Files& files, const std::vector<std::
 std::vector<std::string> commands_of(const std::string& script) { return commands_of(Files{{"in", script}}); }
 
 std::string error_of(const std::string& script) {
-  try {
-    commands_of(script);
-  } catch (const DeckError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::deck_error([&] { commands_of(script); });
 }
 
 double value(const std::string& formula) {

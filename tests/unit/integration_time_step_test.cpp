@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "deck_error.h"
 #include "integration/time_step.h"
 #include "scene/particles/sphere_mass.h"
 
@@ -96,12 +97,7 @@ TEST(ChooseTimeStep, AcceptsAShortGivenStep) {
 }
 
 std::string complaint(const Deck& deck, double speed) {
-  try {
-    choose_time_step(deck, MaterialTable(deck), {{1e-3, none}}, speed);
-  } catch (const DeckError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::deck_error([&] { choose_time_step(deck, MaterialTable(deck), {{1e-3, none}}, speed); });
 }
 
 TEST(ChooseTimeStep, NamesTheLimitThatAGivenStepExceeds) {

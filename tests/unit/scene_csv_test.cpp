@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "deck_error.h"
 #include "scene/insertion/particle_csv.h"
 
 namespace repose {
@@ -30,12 +31,7 @@ TEST(MeasuredCsv, NeedsNoMaterial) {
 }
 
 std::string error_of(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const DeckError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::deck_error([&] { parse(text); });
 }
 
 void expect_error(const std::string& text, const std::string& place, const std::string& part) {

@@ -10,6 +10,9 @@ template <class Real>
   return density * (4.0 / 3.0 * pi) * (radius * radius * radius);
 }
 
+/// Volume of a sphere in m^3.
+constexpr double sphere_volume(double radius) { return sphere_mass(radius, 1.0); }
+
 /// Moment of inertia of a solid sphere about its centre in kg m^2.
 constexpr double sphere_inertia(double mass, double radius) { return 0.4 * mass * (radius * radius); }
 

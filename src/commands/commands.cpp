@@ -20,6 +20,8 @@ std::unique_ptr<Command> thermal_synthesise_command();
 std::unique_ptr<Command> thermal_sensor_command();
 std::unique_ptr<Command> thermal_mixture_command();
 std::unique_ptr<Command> compare_command();
+std::unique_ptr<Command> photo_pile_command();
+std::unique_ptr<Command> photo_plate_command();
 std::unique_ptr<Command> import_command();
 std::unique_ptr<Command> keys_command();
 
@@ -43,6 +45,8 @@ const std::vector<CommandEntry>& command_entries() {
       {"thermal sensor", "correct readings for the insulation of the sensor", thermal_sensor_command},
       {"thermal mixture", "heat capacity of a bed with and without its air", thermal_mixture_command},
       {"compare", "are two sets of repeated measurements (CSV) equivalent?", compare_command},
+      {"photo pile", "measure the angle of repose on photographs of a pile", photo_pile_command},
+      {"photo plate", "count scattered grains on photographs from above", photo_plate_command},
       {"import", "make a deck of an input script of LIGGGHTS", import_command},
       {"keys", "list every key of a deck", keys_command},
   };
@@ -52,6 +56,7 @@ const std::vector<CommandEntry>& command_entries() {
 std::string group_meaning(const std::string& group) {
   static const std::map<std::string, std::string> meanings = {
       {"thermal", "thermal properties of beds, and of measurements of them"},
+      {"photo", "photographs of the laboratory, measured as simulated piles are"},
   };
   return meanings.at(group);
 }

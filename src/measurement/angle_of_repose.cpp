@@ -51,17 +51,6 @@ FlankLine fit_flank(const Silhouette& outline, const std::vector<double>& u, dou
   return {.z_mid = z_mid, .u_mid = line[0], .slope = line[1], .angle_deg = angle * 180.0 / pi};
 }
 
-FlankView fit_view(const Silhouette& outline, double azimuth, const AngleOfReposeParameters& parameters) {
-  const double height = outline.top - outline.base;
-  const double z_from = outline.base + parameters.fit_from * height;
-  const double z_to = outline.base + parameters.fit_to * height;
-  return {.azimuth = azimuth,
-          .z_from = z_from,
-          .z_to = z_to,
-          .left = fit_flank(outline, outline.left, z_from, z_to, -1.0),
-          .right = fit_flank(outline, outline.right, z_from, z_to, 1.0)};
-}
-
 /// Sets stderr_deg and independent_views from the views. The angles over the half turn are a periodic series: after it
 /// left and right change places, which their mean does not feel.
 void estimate_error(AngleOfRepose& result) {
@@ -88,6 +77,16 @@ void estimate_error(AngleOfRepose& result) {
 
 }  // namespace
 
+FlankView fit_flanks(const Silhouette& outline, double fit_from, double fit_to) {
+  const double height = outline.top - outline.base;
+  const double z_from = outline.base + fit_from * height;
+  const double z_to = outline.base + fit_to * height;
+  return {.z_from = z_from,
+          .z_to = z_to,
+          .left = fit_flank(outline, outline.left, z_from, z_to, -1.0),
+          .right = fit_flank(outline, outline.right, z_from, z_to, 1.0)};
+}
+
 std::optional<AngleOfRepose> angle_of_repose(std::span<const Sphere> pile, const AngleOfReposeParameters& parameters) {
   if (pile.empty() || parameters.azimuths == 0) return std::nullopt;
   AngleOfRepose result;
@@ -107,7 +106,8 @@ std::optional<AngleOfRepose> angle_of_repose(std::span<const Sphere> pile, const
                     .camera_distance = parameters.camera_distance,
                     .camera_height = parameters.camera_height};
     Silhouette outline = silhouette(project(pile, view), parameters.plate_height, row_height);
-    result.views.push_back(fit_view(outline, view.azimuth, parameters));
+    result.views.push_back(fit_flanks(outline, parameters.fit_from, parameters.fit_to));
+    result.views.back().azimuth = view.azimuth;
     result.left_deg += result.views.back().left.angle_deg / n;
     result.right_deg += result.views.back().right.angle_deg / n;
     if (i == 0) result.silhouette = std::move(outline);

@@ -42,6 +42,10 @@ struct FlankView {
   double mean_deg() const { return 0.5 * (left.angle_deg + right.angle_deg); }
 };
 
+/// The lines of one outline, between fit_from and fit_to of its height above its base. DeckError when these enclose fewer
+/// than two image rows.
+FlankView fit_flanks(const Silhouette& outline, double fit_from, double fit_to);
+
 struct AngleOfRepose {
   double mean_deg = 0.0;  ///< of left and right
   double left_deg = 0.0;  ///< mean over the views; left is the half of the pile with x below the axis

@@ -67,15 +67,6 @@ double density_under_pile(std::vector<Ring> rings, std::size_t grains) {
   return enough->density;
 }
 
-double end_of_dense_part(std::span<const double> distances, double ring_width, double share) {
-  const std::vector<Ring> rings = count_in_rings(distances, ring_width);
-  const double least = share * density_under_pile(rings, distances.size());
-  std::size_t last = rings.size() - 2;
-  while (rings[last].density < least) --last;
-  const double beyond = (rings[last].density - least) / (rings[last].density - rings[last + 1].density);
-  return ring_width * (static_cast<double>(last) + 0.5 + beyond);
-}
-
 AreaCount count_between(std::span<const double> distances, double from, double to) {
   AreaCount area{.from = from, .to = {}};
   if (to < everywhere) area.to = to;
@@ -86,6 +77,16 @@ AreaCount count_between(std::span<const double> distances, double from, double t
 
 }  // namespace
 
+std::optional<double> end_of_dense_part(std::span<const double> densities, double ring_width, double least) {
+  for (std::size_t last = densities.size(); last-- > 0;) {
+    if (densities[last] < least) continue;
+    const double next = last + 1 < densities.size() ? densities[last + 1] : 0.0;
+    const double beyond = (densities[last] - least) / (densities[last] - next);
+    return ring_width * (static_cast<double>(last) + 0.5 + beyond);
+  }
+  return {};
+}
+
 std::optional<double> base_radius(const ScatteringDeck& deck, std::span<const Sphere> grains) {
   const std::vector<Sphere> pile = find_pile(grains, deck.plate_height, deck.max_height);
   if (pile.empty()) return std::nullopt;
@@ -95,7 +96,10 @@ std::optional<double> base_radius(const ScatteringDeck& deck, std::span<const Sp
   }
   if (distances.empty()) return std::nullopt;  // the pile lies beside the plate
   const double width = std::isnan(deck.ring_width) ? 2.0 * median_diameter(pile) : deck.ring_width;
-  return end_of_dense_part(distances, width, deck.base_share);
+  const std::vector<Ring> rings = count_in_rings(distances, width);
+  std::vector<double> densities;
+  for (const Ring& ring : rings) densities.push_back(ring.density);
+  return end_of_dense_part(densities, width, deck.base_share * density_under_pile(rings, distances.size()));
 }
 
 std::optional<Scattering> scattering(const ScatteringDeck& deck, std::span<const Sphere> grains,

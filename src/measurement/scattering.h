@@ -30,6 +30,11 @@ struct Scattering {
   std::int64_t off_plate = 0;             ///< grains beside the plate or below it, and those that have left the domain
 };
 
+/// Where the dense part about an axis ends, in the unit of ring_width: between the middle of the outermost ring whose
+/// density is at least `least` and that of the next, interpolated. `densities` are those of rings of this width from the
+/// axis on; the last is that of a ring with nothing in it. Empty when no ring is as dense.
+std::optional<double> end_of_dense_part(std::span<const double> densities, double ring_width, double least);
+
 /// The radius in m of the base of the pile among `grains`, from the number density of the grains that lie on the plate
 /// in rings about the axis: it ends where the density falls below base_share of that under the pile, interpolated
 /// between the outermost ring that is as dense and the next. The density under the pile is what the densest rings that

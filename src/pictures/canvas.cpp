@@ -1,6 +1,7 @@
 #include "pictures/canvas.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <numbers>
@@ -113,6 +114,27 @@ void Canvas::dashed_line(Pixel from, Pixel to, double thickness, double dash, Co
   cairo_set_dash(context_, &dash, 1, 0.0);
   line(from, to, thickness, colour);
   cairo_set_dash(context_, nullptr, 0, 0.0);
+}
+
+void Canvas::photograph(Pixel low, Pixel high, const std::vector<unsigned char>& grey, std::size_t columns) {
+  const std::size_t rows = grey.size() / columns;
+  const Surface surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(columns), static_cast<int>(rows)),
+      cairo_surface_destroy);
+  check(cairo_surface_status(surface.get()));
+  unsigned char* data = cairo_image_surface_get_data(surface.get());
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  for (std::size_t i = 0; i < rows * columns; ++i) {
+    const std::uint32_t value = 0x010101U * grey[i];
+    std::memcpy(data + i / columns * stride + i % columns * sizeof(value), &value, sizeof(value));
+  }
+  cairo_surface_mark_dirty(surface.get());
+  cairo_save(context_);
+  cairo_translate(context_, low.x, low.y);
+  cairo_scale(context_, (high.x - low.x) / static_cast<double>(columns), (high.y - low.y) / static_cast<double>(rows));
+  cairo_set_source_surface(context_, surface.get(), 0.0, 0.0);
+  cairo_paint(context_);
+  cairo_restore(context_);
 }
 
 void Canvas::choose_font(double size) {

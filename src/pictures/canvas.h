@@ -40,6 +40,9 @@ class Canvas {
   /// Lines from point to point.
   void polyline(const std::vector<Pixel>& points, double thickness, Colour colour);
   void dashed_line(Pixel from, Pixel to, double thickness, double dash, Colour colour);
+  /// A grey picture between two corners; `grey` has 0 (black) to 255 for each of its pixels, row by row from the top.
+  /// FileError when there is no memory for it.
+  void photograph(Pixel low, Pixel high, const std::vector<unsigned char>& grey, std::size_t columns);
   /// Text in UTF-8 in a font of this size, with its base line at y. Where there is no font Cairo has letters of its
   /// own, and degrees and plus-minus are written in them.
   void text(Pixel at, const std::string& text, double size, Colour colour, Align align = Align::left);

@@ -1,0 +1,50 @@
+#include "photo/photo_deck.h"
+
+#include "deck/read_described.h"
+
+namespace repose::photo {
+namespace {
+
+/// Two places that make sense together only.
+void check_pair(DeckErrors& errors, const std::string& from_key, const std::array<double, 2>& from,
+                const std::string& to_key, const std::array<double, 2>& to) {
+  if (is_given(from) != is_given(to)) {
+    errors.add(is_given(from) ? from_key : to_key, "needs " + (is_given(from) ? to_key : from_key) + " as well");
+  } else if (is_given(from) && from == to) {
+    errors.add(to_key, "is the same place as " + from_key + "; choose two that lie apart");
+  }
+}
+
+void check(PhotoDeck& deck, DeckErrors& errors) {
+  const ScaleDeck& scale = deck.scale;
+  check_pair(errors, "scale.bar_from", scale.bar_from, "scale.bar_to", scale.bar_to);
+  if (is_given(scale.bar_from) != (scale.bar_length == scale.bar_length)) {
+    errors.add(is_given(scale.bar_from) ? "scale.bar_from" : "scale.bar_length",
+               "bar_from, bar_to and bar_length belong together");
+  }
+  const int given = (scale.pixels_per_mm == scale.pixels_per_mm ? 1 : 0) + (is_given(scale.bar_from) ? 1 : 0) +
+                    (scale.plate_width == scale.plate_width ? 1 : 0);
+  if (given != 1) {
+    errors.add("scale", "has " + std::to_string(given) +
+                            " of pixels_per_mm, bar_from with bar_to and bar_length, and plate_width; give one");
+  }
+  check_pair(errors, "pile.base_from", deck.pile.base_from, "pile.base_to", deck.pile.base_to);
+  if (is_given(deck.pile.base_from) && deck.pile.base_from[0] == deck.pile.base_to[0]) {
+    errors.add("pile.base_to", "stands above or below base_from; the plate's edge is level but for a tilt");
+  }
+  check_pair(errors, "crop_from", deck.crop_from, "crop_to", deck.crop_to);
+  for (std::size_t i = 0; is_given(deck.crop_from) && i < 2; ++i) {
+    if (deck.crop_to[i] < deck.crop_from[i] + 16.0) {
+      errors.add("crop_to", "must lie at least 16 pixels to the right of crop_from and below it");
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+PhotoDeck read_photo_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  return read_described<PhotoDeck>(text, path, overrides, check);
+}
+
+}  // namespace repose::photo

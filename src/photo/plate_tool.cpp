@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "files/json_text.h"
+#include "photo/found_picture.h"
+#include "photo/photo_tool.h"
+#include "photo/looked.h"
+
+namespace repose::photo {
+namespace {
+
+Json json_of(const CountedArea& area) {
+  return {{"from_m", area.from},        {"to_m", json_number(area.to)},     {"count", area.count},
+          {"chance", area.chance},      {"threshold", area.threshold},      {"scale", area.scale}};
+}
+
+/// The number of an area, counted from 1, where the second may be missing.
+int number_of(std::size_t i, const PlateView& view) { return i + 1 == view.areas.size() ? 3 : static_cast<int>(i) + 1; }
+
+Json json_of(const std::string& name, const PlateView& view) {
+  Json json = {{"file", name},
+               {"base_diameter_m", view.measured_base_radius ? Json(2.0 * *view.measured_base_radius) : Json(nullptr)}};
+  for (std::size_t i = 0; i < view.areas.size(); ++i) {
+    json[fmt::format("area_{}", number_of(i, view))] = json_of(view.areas[i]);
+  }
+  json.update(Json{{"single", view.single},
+                   {"merged", view.merged},
+                   {"doubtful", view.doubtful},
+                   {"specks", view.specks},
+                   {"seen_share", view.seen_share},
+                   {"grain_diameter_m", view.grain_diameter},
+                   {"axis_px", {view.axis.x, view.axis.y}},
+                   {"pixels_per_mm", 1e-3 * view.pixels_per_metre},
+                   {"contrast", view.contrast},
+                   {"noise", view.noise},
+                   {"grains", view.is_light ? "light" : "dark"}});
+  return json;
+}
+
+std::string text_of(const std::string& name, const PlateView& view) {
+  std::string text = name + ":";
+  if (view.measured_base_radius) text += fmt::format(" base {:.4g} mm,", 2e3 * *view.measured_base_radius);
+  for (std::size_t i = 0; i < view.areas.size(); ++i) {
+    text += fmt::format(" area {}: {:.1f},", number_of(i, view), view.areas[i].count);
+  }
+  text += fmt::format(" beside the pile {:.0f} single and {:.1f} merged grains ({:.1f} doubtful), {:.0f} specks\n", view.single,
+                      view.merged, view.doubtful, view.specks);
+  if (view.seen_share < 0.98) {
+    text += fmt::format("{}: shows {:.0f} % of the plate beyond the outermost circle: area 3 is counted on that alone\n", name,
+                        100.0 * view.seen_share);
+  }
+  return text;
+}
+
+Json json_of(const Measured& m) {
+  return {{"mean", m.mean}, {"scatter", m.scatter}, {"systematic", m.systematic}, {"error", m.error}};
+}
+
+/// The figure of one area over the views, as many as have it.
+MeasuredFigure figure_of(int number, const std::vector<PlateView>& views) {
+  std::vector<double> counts;
+  double systematic = 0.0, chance = 0.0;
+  for (const PlateView& view : views) {
+    for (std::size_t i = 0; i < view.areas.size(); ++i) {
+      if (number_of(i, view) != number) continue;
+      counts.push_back(view.areas[i].count);
+      systematic += std::hypot(view.areas[i].threshold, view.areas[i].scale);
+      chance += view.areas[i].chance;
+    }
+  }
+  const auto n = static_cast<double>(counts.size());
+  return {.figure = fmt::format("scattering.area_{}.count", number),
+          .value = counts.empty() ? Measured{} : measured(counts, systematic / n, chance / n),
+          .photographs = counts.size(),
+          .is_count = true};
+}
+
+}  // namespace
+
+PhotoResult measure_plates(const std::vector<PhotoFile>& photographs, const PhotoDeck& deck, const Deck& base) {
+  if (!base.scattering.enabled) {
+    throw DeckError(fmt::format("{}: has no [measurement.scattering], which says how grains are counted", deck.base));
+  }
+  PhotoResult result;
+  std::vector<PlateView> views;
+  Json list = Json::array();
+  for (const PhotoFile& file : photographs) {
+    const Looked looked = look_at(file, deck);
+    views.push_back(measure_plate(looked.image, looked.deck, base.scattering, file.name));
+    PlateView& view = views.back();
+    result.pictures.push_back(found_plate_picture(looked.image, view));
+    list.push_back(json_of(file.name, view));
+    result.text += text_of(file.name, view);
+    view.grains = {};  // as large as the photograph
+  }
+  result.json = Json::object();
+  for (const int number : {1, 2, 3}) {
+    const MeasuredFigure figure = figure_of(number, views);
+    // An area that some photographs have and others have not is none to compare with.
+    if (figure.photographs != views.size()) continue;
+    result.figures.push_back(figure);
+    result.json[fmt::format("area_{}", number)] = json_of(figure.value);
+    result.text += fmt::format("grains on area {} {:.1f} +- {:.1f} ({} photograph{})\n", number, figure.value.mean,
+                               figure.value.error, views.size(), views.size() > 1 ? "s" : "");
+  }
+  result.json["photographs"] = list;
+  return result;
+}
+
+}  // namespace repose::photo

@@ -19,7 +19,7 @@ namespace {
 /// repose photo pile and repose photo plate.
 class Photo : public Command {
  public:
-  using Tool = photo::PhotoResult (*)(const std::vector<photo::PhotoFile>&, const photo::PhotoDeck&, const Deck&);
+  using Tool = photo::PhotoResult (*)(const std::vector<photo::PhotoFile>&, photo::PhotoDeck, const Deck&);
   Photo(std::string name, Tool tool) : name_(std::move(name)), tool_(tool) {}
 
   void declare(Options& options) override {
@@ -47,9 +47,8 @@ class Photo : public Command {
     const photo::PhotoResult result = tool_(photographs, deck, base);
     // Both results are made before the first is written.
     const std::string calibration =
-        calibration_.empty()
-            ? std::string()
-            : photo::with_observables(read_whole_file(calibration_), calibration_, result.figures);
+        calibration_.empty() ? std::string()
+                             : photo::with_observables(read_whole_file(calibration_), calibration_, result.figures);
     if (!output_.empty()) write(result, base);
     if (!calibration_.empty()) {
       write_text_file(calibration_, calibration);

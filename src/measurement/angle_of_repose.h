@@ -42,8 +42,8 @@ struct FlankView {
   double mean_deg() const { return 0.5 * (left.angle_deg + right.angle_deg); }
 };
 
-/// The lines of one outline, between fit_from and fit_to of its height above its base. DeckError when these enclose fewer
-/// than two image rows.
+/// The lines of one outline, between fit_from and fit_to of its height above its base. DeckError when these enclose
+/// fewer than two image rows.
 FlankView fit_flanks(const Silhouette& outline, double fit_from, double fit_to);
 
 struct AngleOfRepose {

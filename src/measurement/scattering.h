@@ -31,8 +31,8 @@ struct Scattering {
 };
 
 /// Where the dense part about an axis ends, in the unit of ring_width: between the middle of the outermost ring whose
-/// density is at least `least` and that of the next, interpolated. `densities` are those of rings of this width from the
-/// axis on; the last is that of a ring with nothing in it. Empty when no ring is as dense.
+/// density is at least `least` and that of the next, interpolated. `densities` are those of rings of this width from
+/// the axis on; the last is that of a ring with nothing in it. Empty when no ring is as dense.
 std::optional<double> end_of_dense_part(std::span<const double> densities, double ring_width, double least);
 
 /// The radius in m of the base of the pile among `grains`, from the number density of the grains that lie on the plate

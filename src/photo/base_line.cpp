@@ -1,6 +1,7 @@
 #include "photo/base_line.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -9,10 +10,13 @@ namespace repose::photo {
 namespace {
 
 constexpr double near = 1.5;             // px, from the plate's edge
-constexpr double least_share = 1.0 / 7;  // of the columns
-constexpr double steepest = 0.07;        // tan(4 degrees)
-constexpr std::size_t tries = 60;        // places on each side from which a line is drawn
-constexpr double foot_share = 0.05;      // of the columns, on each side
+constexpr double least_share = 1.0 / 7;  // of the columns that lie on it, and of the pile's height that is beneath it
+constexpr double deepest_layer = 0.25;   // of the pile's height
+constexpr double layer_share = 0.25;     // of the difference of a layer of grains from the plate, at which it ends
+constexpr std::size_t most_places = 2000;
+constexpr double steepest = 0.07;    // tan(4 degrees)
+constexpr std::size_t tries = 60;    // places on each side from which a line is drawn
+constexpr double foot_share = 0.05;  // of the columns, on each side
 
 /// First and last row of a patch in each of its columns.
 struct Columns {
@@ -88,6 +92,60 @@ Line refined(Line line, const Columns& columns) {
   return line;
 }
 
+/// How far the tops lie below the line, sorted (px; above it negative).
+std::vector<double> depths_below(const Line& line, const Columns& columns) {
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    depths.push_back(columns.top[i] - line.at_0 - line.slope * static_cast<double>(i));
+  std::sort(depths.begin(), depths.end());
+  return depths;
+}
+
+/// Whether there is more beneath the line than a layer of grains.
+bool is_plate(const Line& line, const Columns& columns) {
+  if (static_cast<double>(support(line, columns)) < least_share * static_cast<double>(columns.size())) return false;
+  std::vector<double> thickness;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (line.holds(columns, i)) thickness.push_back(columns.bottom[i] - columns.top[i]);
+  }
+  std::nth_element(thickness.begin(), thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2),
+                   thickness.end());
+  return thickness[thickness.size() / 2] > -least_share * depths_below(line, columns).front();
+}
+
+/// The quartiles of brightness along the line, so many px below it.
+std::array<double, 3> quartiles(const Image& excess, const Columns& columns, const Line& line, double below) {
+  std::vector<float> values;
+  const std::size_t step = std::max<std::size_t>(1, columns.size() / most_places);
+  for (std::size_t i = 0; i < columns.size(); i += step) {
+    const auto x = static_cast<double>(i);
+    values.push_back(static_cast<float>(
+        sample(excess, static_cast<double>(columns.left) + x, line.at_0 + line.slope * x + below + 0.5)));
+  }
+  std::sort(values.begin(), values.end());
+  const auto at = [&](std::size_t quarters) { return static_cast<double>(values[quarters * (values.size() - 1) / 4]); };
+  return {at(1), at(2), at(3)};
+}
+
+/// The edge of the plate, which is the line itself or lies below it by a layer of grains that goes all along it: the
+/// quartiles of the layer's brightness are others than the plate's.
+Line plate_edge(Line line, const Columns& columns, const Image& excess) {
+  const double deepest = deepest_layer * -depths_below(line, columns).front();
+  const std::array<double, 3> plate = quartiles(excess, columns, line, deepest);
+  std::vector<double> off;  // at each depth, from the plate's quartiles
+  for (double below = 0.0; below < deepest; below += 1.0) {
+    const std::array<double, 3> here = quartiles(excess, columns, line, below);
+    off.push_back(0.0);
+    for (std::size_t i = 0; i < 3; ++i) off.back() = std::max(off.back(), std::abs(here[i] - plate[i]));
+  }
+  const double layer = *std::max_element(off.begin(), off.end());
+  if (layer < 3.0 * (plate[2] - plate[0])) return line;
+  std::size_t depth = off.size();
+  while (depth > 0 && off[depth - 1] < layer_share * layer) --depth;
+  line.at_0 += static_cast<double>(depth);
+  return line;
+}
+
 /// The lowest rows of the columns from `begin` to `end`, but for a fifth of them that a stray may have.
 double foot(const Columns& columns, std::size_t begin, std::size_t end) {
   std::vector<double> rows(columns.bottom.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -99,16 +157,16 @@ double foot(const Columns& columns, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-BaseLine find_base_line(const Patches& patches, std::int32_t pile) {
+BaseLine find_base_line(const Image& excess, const Patches& patches, std::int32_t pile) {
   const Columns columns = columns_of(patches, pile);
   const auto first = static_cast<double>(columns.left);
   const std::size_t n = columns.size();
-  const Line line = best_line(columns);
-  if (static_cast<double>(support(line, columns)) >= least_share * static_cast<double>(n)) {
-    const Line edge = refined(line, columns);
+  const Line line = refined(best_line(columns), columns);
+  if (is_plate(line, columns)) {
+    const Line edge = plate_edge(line, columns, excess);
     BaseLine result{.y_at_0 = edge.at_0 - edge.slope * first, .slope = edge.slope, .plate_left = {}, .plate_right = {}};
     for (std::size_t i = 0; i < n; ++i) {
-      if (!edge.holds(columns, i)) continue;
+      if (columns.top[i] - edge.at_0 - edge.slope * static_cast<double>(i) > near) continue;  // beside the plate
       if (!result.plate_left) result.plate_left = first + static_cast<double>(i) - 0.5;
       result.plate_right = first + static_cast<double>(i) + 0.5;
     }

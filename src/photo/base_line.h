@@ -17,10 +17,11 @@ struct BaseLine {
   double y(double x) const { return y_at_0 + slope * x; }
 };
 
-/// The base line of the patch `pile`, which holds the pile and may hold the plate. Where at least a seventh of its
-/// columns end at the top along one line, level but for four degrees, that is the plate's edge: fitted to those within
-/// 1.5 px of it. Otherwise the plate looks like the background, and the line goes through the pile's feet, which a
-/// camera that looks down sees in the plane of the axis.
-BaseLine find_base_line(const Patches& patches, std::int32_t pile);
+/// The base line of the patch `pile`, which holds the pile and may hold the plate. It holds the plate where the line
+/// that most tops of its columns lie on, level but for four degrees, has more beneath it than a seventh of the pile's
+/// height, and thus more than a layer of grains; the plate's edge is that line, or lies below it by a layer of grains
+/// that is found by its uneven brightness in `excess`. Otherwise the plate looks like the background, and the line goes
+/// through the pile's feet, which a camera that looks down sees in the plane of the axis.
+BaseLine find_base_line(const Image& excess, const Patches& patches, std::int32_t pile);
 
 }  // namespace repose::photo

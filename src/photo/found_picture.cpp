@@ -44,12 +44,14 @@ void draw_photograph(Canvas& canvas, const Image& image, const Frame& frame) {
   }
   std::vector<unsigned char> grey(columns * rows, 0);
   for (std::size_t i = 0; i < grey.size(); ++i) {
-    if (count[i] > 0.0F) grey[i] = static_cast<unsigned char>(std::lround(255.0F * std::clamp(sum[i] / count[i], 0.0F, 1.0F)));
+    if (count[i] > 0.0F)
+      grey[i] = static_cast<unsigned char>(std::lround(255.0F * std::clamp(sum[i] / count[i], 0.0F, 1.0F)));
   }
   canvas.photograph({0.0, header}, {picture_width, header + static_cast<double>(rows)}, grey, columns);
 }
 
-Picture picture_of(const Image& image, const std::string& title, const std::function<void(Canvas&, const Frame&)>& draw) {
+Picture picture_of(const Image& image, const std::string& title,
+                   const std::function<void(Canvas&, const Frame&)>& draw) {
   const Frame frame{.zoom = picture_width / static_cast<double>(image.width)};
   const double height = std::ceil(header + frame.zoom * static_cast<double>(image.height));
   return make_picture(picture_width, height, [&](Canvas& canvas) {
@@ -82,10 +84,14 @@ void draw_flank(Canvas& canvas, const PilePlace& place, const std::vector<double
 
 Colour colour_of(GrainPatches::Kind kind) {
   switch (kind) {
-    case GrainPatches::Kind::single: return outline_colour;
-    case GrainPatches::Kind::clump: return clump_colour;
-    case GrainPatches::Kind::speck: return speck_colour;
-    case GrainPatches::Kind::pile: break;
+    case GrainPatches::Kind::single:
+      return outline_colour;
+    case GrainPatches::Kind::clump:
+      return clump_colour;
+    case GrainPatches::Kind::speck:
+      return speck_colour;
+    case GrainPatches::Kind::pile:
+      break;
   }
   return line_colour;
 }
@@ -103,8 +109,8 @@ Picture found_pile_picture(const Image& image, const PileView& view) {
     const double reach = 0.6 * view.base_width;
     canvas.line(place.at(-reach, 0.0), place.at(reach, 0.0), 2.0, base_colour);
     for (const FlankLine* flank : {&view.fit.left, &view.fit.right}) {
-      canvas.line(place.at(flank->u(view.fit.z_from), view.fit.z_from), place.at(flank->u(view.fit.z_to), view.fit.z_to), 3.0,
-                  line_colour);
+      canvas.line(place.at(flank->u(view.fit.z_from), view.fit.z_from),
+                  place.at(flank->u(view.fit.z_to), view.fit.z_to), 3.0, line_colour);
     }
   });
 }
@@ -116,16 +122,20 @@ Picture found_plate_picture(const Image& image, const PlateView& view) {
     title += fmt::format(", area {}: {:.0f}", number, view.areas[i].count);
   }
   return picture_of(image, title, [&](Canvas& canvas, const Frame& frame) {
-    canvas.many_discs(view.grains.kind.size(), [&](Canvas& pixels) {
+    canvas.many_discs(view.grains.kind.size() + view.peaks.size(), [&](Canvas& pixels) {
       for (std::size_t i = 0; i < view.grains.kind.size(); ++i) {
         const Patch& p = view.grains.patches.all[i];
-        if (view.grains.kind[i] == GrainPatches::Kind::pile) continue;
+        if (view.grains.kind[i] == GrainPatches::Kind::pile || view.grains.kind[i] == GrainPatches::Kind::clump)
+          continue;
         const double radius = std::max(2.0, frame.zoom * 1.5 * std::sqrt(p.area / pi));
         pixels.circle(frame.at(p.x, p.y), radius, 1.2, colour_of(view.grains.kind[i]));
       }
+      const double radius = std::max(2.0, frame.zoom * std::sqrt(view.grains.grain_area / pi));
+      for (const GrainPeak& peak : view.peaks) pixels.circle(frame.at(peak.at.x, peak.at.y), radius, 1.2, clump_colour);
     });
     for (const CountedArea& area : view.areas) {
-      canvas.circle(frame.at(view.axis.x, view.axis.y), frame.zoom * view.pixels_per_metre * area.from, 2.0, line_colour);
+      canvas.circle(frame.at(view.axis.x, view.axis.y), frame.zoom * view.pixels_per_metre * area.from, 2.0,
+                    line_colour);
     }
   });
 }

@@ -1,7 +1,6 @@
 #include "photo/grain_patches.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace repose::photo {
 namespace {
@@ -25,7 +24,7 @@ double median_area(const std::vector<Patch>& all) {
 
 }  // namespace
 
-GrainPatches find_grains(const Subject& subject, double threshold, double grain_area) {
+GrainPatches find_grains(const Subject& subject, double threshold, double otherwise) {
   GrainPatches result;
   result.patches = find_patches(subject.excess.width, subject.excess.height,
                                 [&](std::size_t x, std::size_t y) { return subject.excess.at(x, y) > threshold; });
@@ -39,7 +38,7 @@ GrainPatches find_grains(const Subject& subject, double threshold, double grain_
     sum += all[i].area;
     count += 1.0;
   }
-  result.grain_area = !std::isnan(grain_area) ? grain_area : count > 0.0 ? sum / count : 0.0;
+  result.grain_area = count > 0.0 ? sum / count : otherwise;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (result.kind[i] == GrainPatches::Kind::clump && all[i].area < speck_share * result.grain_area) {
       result.kind[i] = GrainPatches::Kind::speck;

@@ -22,10 +22,9 @@ struct GrainPatches {
 };
 
 /// The patches above `threshold`. A grain is single when its patch is round (roundness at least 0.9) and has between a
-/// quarter and four times the median area of such; a patch of less than a fifth of their mean is a speck; the largest is
-/// the pile when it has the area of 20 grains. `grain_area` (px^2) replaces the mean; NaN: measured. No patch is single
-/// where none is round: then grain_area is 0 or as given.
-GrainPatches find_grains(const Subject& subject, double threshold, double grain_area);
+/// quarter and four times the median area of such; a patch of less than a fifth of their mean is a speck; the largest
+/// is the pile when it has the area of 20 grains. Where no patch is single, grain_area is `otherwise` (px^2).
+GrainPatches find_grains(const Subject& subject, double threshold, double otherwise);
 
 /// Share of the single grains that are less bright in their middle than three quarters of the contrast: of a sharp
 /// picture few.

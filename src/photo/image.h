@@ -8,8 +8,8 @@
 
 namespace repose::photo {
 
-/// Grey values from 0 (black) to 1 (white), row by row from the top. The centre of the first pixel is at (0, 0), x is to
-/// the right, y downwards.
+/// Grey values from 0 (black) to 1 (white), row by row from the top. The centre of the first pixel is at (0, 0), x is
+/// to the right, y downwards.
 struct Image {
   std::size_t width = 0;
   std::size_t height = 0;

@@ -25,9 +25,10 @@ inline Looked look_at(const PhotoFile& file, const PhotoDeck& deck) {
         y <= static_cast<double>(looked.image.height)) {
       return;
     }
-    throw DeckError(fmt::format("{}: has {} x {} pixels, looked at is the part that ends at [{}, {}]; at least 16 each way are "
-                                "needed",
-                                file.name, looked.image.width, looked.image.height, x, y));
+    throw DeckError(
+        fmt::format("{}: has {} x {} pixels, looked at is the part that ends at [{}, {}]; at least 16 each way are "
+                    "needed",
+                    file.name, looked.image.width, looked.image.height, x, y));
   };
   if (!is_given(deck.crop_from)) {
     check(static_cast<double>(looked.image.width), static_cast<double>(looked.image.height));

@@ -37,9 +37,9 @@ struct PileViewDeck {
 /// What is seen from above.
 struct PlateViewDeck {
   std::array<double, 2> axis = no_place;  ///< px; default: the middle of the pile
-  double grain_diameter = unset;          ///< m; default: as the single grains of the picture have it
+  double grain_diameter = unset;          ///< m, root mean square; default: the base deck's, or as in the picture
   double layer_coverage = 0.77;           ///< share of the plate that the lowest layer of a pile covers
-  double most_doubtful = 0.5;             ///< share of grains in clumps that are no whole number of grains
+  double most_doubtful = 0.25;            ///< share of the grains by which the areas of clumps may say otherwise
 };
 
 /// How to measure photographs.
@@ -49,7 +49,7 @@ struct PhotoDeck {
   std::vector<std::string> set;  ///< "key=value" for it
   Channel channel = Channel::grey;
   Grains grains = Grains::found;
-  double threshold = 0.5;
+  double threshold = unset;
   double threshold_deviation = 0.05;
   double least_contrast = 0.08;
   std::array<double, 2> crop_from = no_place, crop_to = no_place;  ///< px
@@ -71,7 +71,8 @@ void describe(V& v, ScaleDeck& s) {
 
 template <class V>
 void describe(V& v, PileViewDeck& p) {
-  v("base_from", p.base_from, Unit::none, any_value, optional_else("found"), "a point of the plate's edge: x and y, px");
+  v("base_from", p.base_from, Unit::none, any_value, optional_else("found"),
+    "a point of the plate's edge: x and y, px");
   v("base_to", p.base_to, Unit::none, any_value, optional_else("found"), "another point of it");
   v("edge_behind_axis", p.edge_behind_axis, Unit::metre, any_value, optional,
     "distance of that edge behind the pile's axis; counts with camera = perspective");
@@ -82,12 +83,13 @@ void describe(V& v, PileViewDeck& p) {
 template <class V>
 void describe(V& v, PlateViewDeck& p) {
   v("axis", p.axis, Unit::none, any_value, optional_else("the middle of the pile"), "of the areas: x and y, px");
-  v("grain_diameter", p.grain_diameter, Unit::metre, above(0), optional_else("as single grains have it"),
-    "of the circle with the mean area that a grain covers");
+  v("grain_diameter", p.grain_diameter, Unit::metre, above(0),
+    optional_else("of the base deck's grains where all are alike, or as in the picture"),
+    "root mean square of the grains' diameters");
   v("layer_coverage", p.layer_coverage, Unit::none, above_to(0, 1), optional,
     "share of the plate that the lowest layer of grains under a pile covers");
   v("most_doubtful", p.most_doubtful, Unit::none, from_to(0, 1), optional,
-    "share of the grains beside the pile in clumps whose area is no whole number of grains");
+    "share of the grains beside the pile by which the areas of clumps may say more or fewer");
 }
 
 template <class V>
@@ -98,7 +100,7 @@ void describe(V& v, PhotoDeck& d) {
   v("channel", d.channel, Unit::none, any_value, optional, "what of a colour picture is looked at");
   v("grains", d.grains, Unit::none, any_value, optional, "before their background");
   v("threshold", d.threshold, Unit::none, Range{.min = 0, .max = 1, .excludes_min = true, .excludes_max = true},
-    optional, "share of the contrast at which grains begin");
+    optional_else("0.3 for a pile, 0.5 for a plate"), "share of the contrast at which grains begin");
   v("threshold_deviation", d.threshold_deviation, Unit::none, from_to_below(0, 0.5), optional,
     "its standard deviation");
   v("least_contrast", d.least_contrast, Unit::none, above_to(0, 1), optional,

@@ -23,9 +23,7 @@ using PixPointer = std::unique_ptr<Pix, DestroyPix>;
   throw FileError(fmt::format("{}: {}; a whole JPEG, PNG or TIFF file is needed", name, what));
 }
 
-const unsigned char* begin_of(const std::string& bytes) {
-  return reinterpret_cast<const unsigned char*>(bytes.data());
-}
+const unsigned char* begin_of(const std::string& bytes) { return reinterpret_cast<const unsigned char*>(bytes.data()); }
 
 /// 1 to 8 as in EXIF; 1, which is upright, where the file says nothing.
 int orientation_of_jpeg(const std::string& bytes) {
@@ -57,9 +55,8 @@ PixPointer decode(const std::string& bytes, const std::string& name) {
   if (static_cast<double>(width) * height > most_pixels) {
     refuse(name, fmt::format("has {} x {} pixels, more than {:.0f} million", width, height, 1e-6 * most_pixels));
   }
-  PixPointer pix(is_jpeg
-                     ? pixReadMemJpeg(begin_of(bytes), bytes.size(), 0, 1, nullptr, 0)
-                     : pixReadMem(begin_of(bytes), bytes.size()));
+  PixPointer pix(is_jpeg ? pixReadMemJpeg(begin_of(bytes), bytes.size(), 0, 1, nullptr, 0)
+                         : pixReadMem(begin_of(bytes), bytes.size()));
   if (pix && is_jpeg) pix = upright(std::move(pix), orientation_of_jpeg(bytes));
   if (!pix) refuse(name, "is damaged or cut off");
   return pix;
@@ -77,10 +74,14 @@ PixPointer plain(PixPointer pix, const std::string& name) {
 /// The weights of red, green and blue in a grey value; for grey those of the eye (ITU-R BT.601).
 std::array<float, 3> weights(Channel channel) {
   switch (channel) {
-    case Channel::red: return {1.0F, 0.0F, 0.0F};
-    case Channel::green: return {0.0F, 1.0F, 0.0F};
-    case Channel::blue: return {0.0F, 0.0F, 1.0F};
-    case Channel::grey: break;
+    case Channel::red:
+      return {1.0F, 0.0F, 0.0F};
+    case Channel::green:
+      return {0.0F, 1.0F, 0.0F};
+    case Channel::blue:
+      return {0.0F, 0.0F, 1.0F};
+    case Channel::grey:
+      break;
   }
   return {0.299F, 0.587F, 0.114F};
 }

@@ -4,8 +4,8 @@
 #include "base/math.h"
 #include "files/json_text.h"
 #include "photo/found_picture.h"
-#include "photo/photo_tool.h"
 #include "photo/looked.h"
+#include "photo/photo_tool.h"
 
 namespace repose::photo {
 namespace {
@@ -61,9 +61,10 @@ double mean_of(const std::vector<PileView>& views, const F& value) {
 
 }  // namespace
 
-PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, const PhotoDeck& deck, const Deck& base) {
+PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, PhotoDeck deck, const Deck& base) {
   if (!base.angle_of_repose.enabled) {
-    throw DeckError(fmt::format("{}: has no [measurement.angle_of_repose], which says how a pile is measured", deck.base));
+    throw DeckError(
+        fmt::format("{}: has no [measurement.angle_of_repose], which says how a pile is measured", deck.base));
   }
   const AngleOfReposeParameters parameters = parameters_of(base.angle_of_repose);
   PhotoResult result;
@@ -79,9 +80,9 @@ PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, const Photo
     lefts.push_back(view.fit.left.angle_deg);
     rights.push_back(view.fit.right.angle_deg);
     heights.push_back(view.height);
-    result.text += fmt::format("{}: {:.2f} degrees (left {:.2f}, right {:.2f}), height {:.4g} mm, tilt {:.2f} degrees\n",
-                               file.name, angles.back(), lefts.back(), rights.back(), 1e3 * view.height,
-                               degrees * view.tilt);
+    result.text +=
+        fmt::format("{}: {:.2f} degrees (left {:.2f}, right {:.2f}), height {:.4g} mm, tilt {:.2f} degrees\n",
+                    file.name, angles.back(), lefts.back(), rights.back(), 1e3 * view.height, degrees * view.tilt);
     views.push_back(view);
   }
   const double one_sided = 0.5 * std::abs(lefts.front() - rights.front());

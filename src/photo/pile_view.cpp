@@ -14,9 +14,11 @@
 namespace repose::photo {
 namespace {
 
+constexpr double default_threshold = 0.3;  // low, so that a flank in the shade belongs to the pile
 constexpr double least_rows = 30.0;
-constexpr double second_share = 0.25;     // of the area of the pile, which another one must not have
-constexpr double most_roughness = 0.06;   // deviation of the outline from its lines over the pile's height
+constexpr double second_share = 0.25;    // of the area of the pile, which another one must not have
+constexpr double most_roughness = 0.12;  // deviation of the outline from its lines over the pile's height
+constexpr double most_threshold_deg = 0.5;
 constexpr double rough_threshold = 0.25;  // share of the contrast, to find where the pile is
 
 /// The levelled picture and where the pile stands in it.
@@ -36,9 +38,10 @@ BaseLine given_line(const PhotoDeck& deck) {
 }
 
 [[noreturn]] void no_pile(const std::string& name, const std::string& what) {
-  throw DeckError(fmt::format("{}: no pile is found: {}; crop_from and crop_to, grains or pile.base_from and base_to say "
-                              "where it is",
-                              name, what));
+  throw DeckError(
+      fmt::format("{}: no pile is found: {}; crop_from and crop_to, grains or pile.base_from and base_to say "
+                  "where it is",
+                  name, what));
 }
 
 Level level(const Subject& subject, const PhotoDeck& deck, const std::string& name) {
@@ -47,11 +50,11 @@ Level level(const Subject& subject, const PhotoDeck& deck, const std::string& na
     line = given_line(deck);
   } else {
     const double threshold = std::max(6.0 * subject.noise, rough_threshold * subject.contrast);
-    const Patches patches = find_patches(subject.excess.width, subject.excess.height, [&](std::size_t x, std::size_t y) {
-      return subject.excess.at(x, y) > threshold;
-    });
+    const Patches patches =
+        find_patches(subject.excess.width, subject.excess.height,
+                     [&](std::size_t x, std::size_t y) { return subject.excess.at(x, y) > threshold; });
     if (patches.all.empty()) no_pile(name, "nothing stands out from the background");
-    line = find_base_line(patches, largest(patches.all).first);
+    line = find_base_line(subject.excess, patches, largest(patches.all).first);
   }
   Level result;
   result.tilt = std::atan(line.slope);
@@ -70,9 +73,10 @@ double pixels_per_metre(const PhotoDeck& deck, const Level& level, const std::st
     return std::hypot(scale.bar_to[0] - scale.bar_from[0], scale.bar_to[1] - scale.bar_from[1]) / scale.bar_length;
   }
   if (!level.plate_pixels) {
-    throw DeckError(fmt::format("{}: scale.plate_width: the plate is not seen before the background; give pixels_per_mm, "
-                                "or bar_from and bar_to with bar_length",
-                                name));
+    throw DeckError(
+        fmt::format("{}: scale.plate_width: the plate is not seen before the background; give pixels_per_mm, "
+                    "or bar_from and bar_to with bar_length",
+                    name));
   }
   return *level.plate_pixels / scale.plate_width;
 }
@@ -134,7 +138,7 @@ Silhouette outline_of(const Level& level, const Extent& extent, double threshold
   return outline;
 }
 
-void check_extent(const Extent& extent, const Level& level, const std::string& name) {
+void check_extent(const Extent& extent, const std::string& name) {
   if (extent.found.first < 0) no_pile(name, "nothing stands out above the base line");
   const Patch& pile = extent.pile();
   const double rows = static_cast<double>(pile.bottom - pile.top + 1);
@@ -145,24 +149,35 @@ void check_extent(const Extent& extent, const Level& level, const std::string& n
   if (extent.found.second >= 0) {
     const double other = extent.patches.all[static_cast<std::size_t>(extent.found.second)].area;
     if (other >= second_share * pile.area) {
-      throw DeckError(fmt::format("{}: two piles are found, the smaller with {:.0f} % of the area of the greater; crop_from "
-                                  "and crop_to choose one, a lower threshold joins what belongs together",
-                                  name, 100.0 * other / pile.area));
+      throw DeckError(
+          fmt::format("{}: two piles are found, the smaller with {:.0f} % of the area of the greater; crop_from "
+                      "and crop_to choose one, a lower threshold joins what belongs together",
+                      name, 100.0 * other / pile.area));
     }
-  }
-  const char* const edge = pile.left == 0                        ? "left"
-                           : pile.right == level.excess.width - 1 ? "right"
-                           : pile.top == 0                        ? "upper"
-                                                                  : nullptr;
-  if (edge != nullptr) {
-    throw DeckError(fmt::format("{}: the pile is cut off at the {} edge of what is looked at; take the photograph from "
-                                "farther away, or widen crop_from and crop_to",
-                                name, edge));
   }
 }
 
-/// The median of the edge's width along the rows from 25 to 75 % of the brightness within, as that from 10 to 90 % of an
-/// edge that is blurred as by a lens out of focus (normally distributed: 1.9 times as wide).
+/// Of the outline in px between the fitted heights and above: a layer of grains on the plate may go on beyond the
+/// picture.
+void check_edges(const Silhouette& outline, const FlankView& lines, const Extent& extent, const Level& level,
+                 const std::string& name) {
+  const double right_edge = static_cast<double>(level.excess.width) - 2.0;
+  const char* edge = extent.pile().top == 0 ? "upper" : nullptr;
+  for (std::size_t i = 0; i < outline.left.size(); ++i) {
+    if (outline.row_z(i) < lines.z_from || std::isnan(outline.left[i])) continue;
+    if (outline.left[i] < 1.0) edge = "left";
+    if (outline.right[i] > right_edge) edge = "right";
+  }
+  if (edge == nullptr) return;
+  throw DeckError(
+      fmt::format("{}: the pile is cut off at the {} edge of what is looked at; take the photograph from farther "
+                  "away, or widen crop_from and crop_to",
+                  name, edge));
+}
+
+/// The width of the edge along the rows from 25 to 75 % of the contrast, as that from 10 to 90 % of an edge that is
+/// blurred as by a lens out of focus (normally distributed: 1.9 times as wide). That which a fifth of the rows have at
+/// most: grains that fade into their shadow have wide edges in focus, too.
 double blur_of(const Level& level, const Silhouette& outline, double contrast) {
   constexpr double wider = 1.9;
   std::vector<float> widths;
@@ -184,7 +199,10 @@ double blur_of(const Level& level, const Silhouette& outline, double contrast) {
       widths.push_back(static_cast<float>(distance_to(0.25, 1.0) + distance_to(0.75, -1.0)));
     }
   }
-  return widths.empty() ? 0.0 : wider * static_cast<double>(median(widths));
+  if (widths.empty()) return 0.0;
+  const auto fifth = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 5);
+  std::nth_element(widths.begin(), fifth, widths.end());
+  return wider * static_cast<double>(*fifth);
 }
 
 /// Root mean square of the outline's distance from its lines between the fitted heights, in its own unit.
@@ -232,33 +250,37 @@ PileView measure_pile(const Image& image, const PhotoDeck& deck, const AngleOfRe
   level.base_row += scale * rise_of_edge(deck, parameters);
   const double rough = std::max(6.0 * subject.noise, rough_threshold * subject.contrast);
   const Extent first = extent_of(level, rough);
-  check_extent(first, level, name);
+  check_extent(first, name);
   const double contrast = contrast_of_pile(level, first);
 
   const auto outline_at = [&](double share) {
     const double threshold = std::max(4.0 * subject.noise, share * contrast);
     const Extent extent = extent_of(level, threshold);
-    check_extent(extent, level, name);
+    check_extent(extent, name);
     return outline_of(level, extent, threshold);
   };
   const auto fit_of = [&](const Silhouette& outline) {
     return fit_flanks(outline, parameters.fit_from, parameters.fit_to);
   };
-  const Silhouette pixels = outline_at(deck.threshold);
+  const double threshold = std::isnan(deck.threshold) ? default_threshold : deck.threshold;
+  const Silhouette pixels = outline_at(threshold);
   const FlankView lines = fit_of(pixels);
-  const Silhouette lower = outline_at(std::max(0.05, deck.threshold - deck.threshold_deviation));
-  const Silhouette upper = outline_at(std::min(0.95, deck.threshold + deck.threshold_deviation));
+  check_edges(pixels, lines, first, level, name);
+  const Silhouette lower = outline_at(std::max(0.05, threshold - deck.threshold_deviation));
+  const Silhouette upper = outline_at(std::min(0.95, threshold + deck.threshold_deviation));
 
   PileView view;
   view.blur = blur_of(level, pixels, contrast);
   if (view.blur > deck.pile.most_blur * pixels.top) {
-    throw DeckError(fmt::format("{}: the pile is out of focus: its outline is {:.1f} pixels wide, {:.1f} % of its height, "
-                                "above pile.most_blur = {:.3g}; focus on the pile's outline",
-                                name, view.blur, 100.0 * view.blur / pixels.top, deck.pile.most_blur));
+    throw DeckError(
+        fmt::format("{}: the pile is out of focus: its outline is {:.1f} pixels wide, {:.1f} % of its height, "
+                    "above pile.most_blur = {:.3g}; focus on the pile's outline",
+                    name, view.blur, 100.0 * view.blur / pixels.top, deck.pile.most_blur));
   }
   if (const double rms = roughness(pixels, lines); rms > most_roughness * pixels.top) {
-    no_pile(name, fmt::format("the outline of what stands out deviates by {:.0f} % of its height from two straight flanks",
-                              100.0 * rms / pixels.top));
+    no_pile(name,
+            fmt::format("the outline of what stands out deviates by {:.0f} % of its height from two straight flanks",
+                        100.0 * rms / pixels.top));
   }
   view.axis_column = 0.5 * (lines.left.u_mid + lines.right.u_mid);
   view.outline = in_metres(pixels, view.axis_column, scale);
@@ -266,6 +288,12 @@ PileView measure_pile(const Image& image, const PhotoDeck& deck, const AngleOfRe
   view.height = view.outline.top;
   view.base_width = view.fit.right.u(0.0) - view.fit.left.u(0.0);
   view.threshold_deg = 0.5 * std::abs(fit_of(upper).mean_deg() - fit_of(lower).mean_deg());
+  if (view.threshold_deg > most_threshold_deg) {
+    throw DeckError(
+        fmt::format("{}: the angle changes by {:.2g} degrees with the threshold's deviation, so that the outline is "
+                    "uncertain: light the pile from both sides, or choose another threshold",
+                    name, view.threshold_deg));
+  }
   view.threshold_height = 0.5 * std::abs(upper.top - lower.top) / scale;
   view.pixels_per_metre = scale;
   view.tilt = level.tilt;

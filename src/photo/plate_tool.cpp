@@ -3,15 +3,15 @@
 #include "base/error.h"
 #include "files/json_text.h"
 #include "photo/found_picture.h"
-#include "photo/photo_tool.h"
 #include "photo/looked.h"
+#include "photo/photo_tool.h"
 
 namespace repose::photo {
 namespace {
 
 Json json_of(const CountedArea& area) {
-  return {{"from_m", area.from},        {"to_m", json_number(area.to)},     {"count", area.count},
-          {"chance", area.chance},      {"threshold", area.threshold},      {"scale", area.scale}};
+  return {{"from_m", area.from},   {"to_m", json_number(area.to)}, {"count", area.count},
+          {"chance", area.chance}, {"threshold", area.threshold},  {"scale", area.scale}};
 }
 
 /// The number of an area, counted from 1, where the second may be missing.
@@ -41,13 +41,14 @@ std::string text_of(const std::string& name, const PlateView& view) {
   std::string text = name + ":";
   if (view.measured_base_radius) text += fmt::format(" base {:.4g} mm,", 2e3 * *view.measured_base_radius);
   for (std::size_t i = 0; i < view.areas.size(); ++i) {
-    text += fmt::format(" area {}: {:.1f},", number_of(i, view), view.areas[i].count);
+    text += fmt::format(" area {}: {:.0f},", number_of(i, view), view.areas[i].count);
   }
-  text += fmt::format(" beside the pile {:.0f} single and {:.1f} merged grains ({:.1f} doubtful), {:.0f} specks\n", view.single,
-                      view.merged, view.doubtful, view.specks);
+  text += fmt::format(" beside the pile {:.0f} single and {:.0f} merged grains ({:.0f} doubtful), {:.0f} specks\n",
+                      view.single, view.merged, view.doubtful, view.specks);
   if (view.seen_share < 0.98) {
-    text += fmt::format("{}: shows {:.0f} % of the plate beyond the outermost circle: area 3 is counted on that alone\n", name,
-                        100.0 * view.seen_share);
+    text +=
+        fmt::format("{}: shows {:.0f} % of the plate beyond the outermost circle: area 3 is counted on that alone\n",
+                    name, 100.0 * view.seen_share);
   }
   return text;
 }
@@ -75,9 +76,20 @@ MeasuredFigure figure_of(int number, const std::vector<PlateView>& views) {
           .is_count = true};
 }
 
+/// The one diameter of all grains; NaN when they have several.
+double diameter_in(const Deck& base) {
+  double diameter = unset;
+  for (const ParticlesDeck& section : base.particles) {
+    if (std::isnan(section.diameter) || (diameter == diameter && section.diameter != diameter)) return unset;
+    diameter = section.diameter;
+  }
+  return diameter;
+}
+
 }  // namespace
 
-PhotoResult measure_plates(const std::vector<PhotoFile>& photographs, const PhotoDeck& deck, const Deck& base) {
+PhotoResult measure_plates(const std::vector<PhotoFile>& photographs, PhotoDeck deck, const Deck& base) {
+  if (std::isnan(deck.plate.grain_diameter)) deck.plate.grain_diameter = diameter_in(base);
   if (!base.scattering.enabled) {
     throw DeckError(fmt::format("{}: has no [measurement.scattering], which says how grains are counted", deck.base));
   }
@@ -92,6 +104,7 @@ PhotoResult measure_plates(const std::vector<PhotoFile>& photographs, const Phot
     list.push_back(json_of(file.name, view));
     result.text += text_of(file.name, view);
     view.grains = {};  // as large as the photograph
+    view.peaks = {};
   }
   result.json = Json::object();
   for (const int number : {1, 2, 3}) {

@@ -14,15 +14,11 @@ namespace {
 
 using Kind = GrainPatches::Kind;
 
-constexpr double least_diameter = 4.0;  // px
+constexpr double default_threshold = 0.5;
+constexpr double threshold_of_middle = 0.15;  // low, so that the pile's side in the shade counts
+constexpr double least_diameter = 4.0;        // px
 constexpr double most_dim = 0.5;
 constexpr int centrings = 5;
-
-/// Grains, or parts of them, at a distance from the axis.
-struct Portion {
-  double distance = 0.0;  ///< m
-  double grains = 0.0;
-};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw DeckError(fmt::format("{}: {}", name, what));
@@ -31,13 +27,15 @@ struct Portion {
 double pixels_per_metre(const ScaleDeck& scale, const std::string& name) {
   if (!std::isnan(scale.pixels_per_mm)) return 1e3 * scale.pixels_per_mm;
   if (!is_given(scale.bar_from)) {
-    refuse(name, "scale.plate_width is for piles from the side; give bar_from and bar_to, such as two corners of the plate, "
-                 "with bar_length, or pixels_per_mm");
+    refuse(name,
+           "scale.plate_width is for piles from the side; give bar_from and bar_to, such as two corners of the plate, "
+           "with bar_length, or pixels_per_mm");
   }
   return std::hypot(scale.bar_to[0] - scale.bar_from[0], scale.bar_to[1] - scale.bar_from[1]) / scale.bar_length;
 }
 
-/// The middle of the pile's patch: of its pixels within a circle of nearly its own area, so that arms do not count.
+/// The middle of the pile's patch, which has to be there: of its pixels within a circle of nearly its own area, so that
+/// arms do not count.
 Pixel middle_of_pile(const GrainPatches& grains) {
   const Patch& pile = grains.of(grains.pile);
   Pixel middle{pile.x, pile.y};
@@ -62,7 +60,7 @@ Pixel middle_of_pile(const GrainPatches& grains) {
 /// Where the plate is in the picture.
 struct Frame {
   Pixel axis;
-  double scale = 1.0;                             ///< px/m
+  double scale = 1.0;                                    ///< px/m
   double left = 0.0, right = 0.0, up = 0.0, down = 0.0;  ///< the plate's edges from the axis, m
 
   double distance(double x, double y) const { return std::hypot(x - axis.x, y - axis.y) / scale; }
@@ -73,41 +71,47 @@ struct Frame {
   }
 };
 
-/// Single grains at their centres, clumps pixel by pixel.
-std::vector<Portion> portions(const GrainPatches& grains, const Frame& frame) {
-  std::vector<Portion> result;
+/// The share of each ring about the axis that grains cover, from `width` (m) to its multiples; behind the last one with
+/// grains comes an empty one. `grain` is the area in m^2 that each patch of a grain stands for.
+std::vector<double> coverage(const GrainPatches& grains, const Frame& frame, double width, double grain) {
+  std::vector<double> covered;
+  const auto add = [&](double x, double y, double area) {
+    if (!frame.holds(x, y)) return;
+    const auto ring = static_cast<std::size_t>(frame.distance(x, y) / width);
+    if (covered.size() < ring + 2) covered.resize(ring + 2);
+    covered[ring] += area;
+  };
   const Patches& patches = grains.patches;
-  for (std::size_t i = 0; i < grains.kind.size(); ++i) {
-    const Patch& p = patches.all[i];
-    if (grains.kind[i] == Kind::single && frame.holds(p.x, p.y)) result.push_back({frame.distance(p.x, p.y), 1.0});
-    if (grains.kind[i] != Kind::clump && grains.kind[i] != Kind::pile) continue;
-    for (std::size_t y = p.top; y <= p.bottom; ++y) {
-      for (std::size_t x = p.left; x <= p.right; ++x) {
-        if (patches.at(x, y) != static_cast<std::int32_t>(i)) continue;
-        const auto u = static_cast<double>(x);
-        const auto v = static_cast<double>(y);
-        if (frame.holds(u, v)) result.push_back({frame.distance(u, v), 1.0 / grains.grain_area});
-      }
+  for (std::size_t y = 0; y * patches.width < patches.label.size(); ++y) {
+    for (std::size_t x = 0; x < patches.width; ++x) {
+      const std::int32_t patch = patches.at(x, y);
+      if (patch < 0) continue;
+      const Kind kind = grains.kind[static_cast<std::size_t>(patch)];
+      if (kind != Kind::clump && kind != Kind::pile) continue;
+      add(static_cast<double>(x), static_cast<double>(y), grain / grains.grain_area);
     }
   }
-  return result;
+  for (std::size_t i = 0; i < grains.kind.size(); ++i) {
+    if (grains.kind[i] == Kind::single) add(patches.all[i].x, patches.all[i].y, grain);
+  }
+  for (std::size_t k = 0; k < covered.size(); ++k)
+    covered[k] /= pi * width * width * (2.0 * static_cast<double>(k) + 1.0);
+  return covered;
 }
 
-double diameter_of(const GrainPatches& grains, double scale) { return 2.0 * std::sqrt(grains.grain_area / pi) / scale; }
+/// What grains look like: as shaded as they are, their patches are smaller or larger than they.
+double seen_diameter(const GrainPatches& grains, double scale) {
+  return 2.0 * std::sqrt(grains.grain_area / pi) / scale;
+}
 
-std::optional<double> base_of(const std::vector<Portion>& portions, const GrainPatches& grains, double scale,
-                              const PhotoDeck& deck, const ScatteringDeck& scattering) {
+std::optional<double> base_of(const GrainPatches& grains, const Frame& frame, const PhotoDeck& deck,
+                              const ScatteringDeck& scattering) {
   if (grains.pile < 0) return {};
-  const double width =
-      std::isnan(scattering.ring_width) ? 2.0 * diameter_of(grains, scale) : scattering.ring_width;
-  std::vector<double> covered;
-  for (const Portion& p : portions) {
-    const auto ring = static_cast<std::size_t>(p.distance / width);
-    if (covered.size() < ring + 2) covered.resize(ring + 2);
-    covered[ring] += p.grains * grains.grain_area / (scale * scale);
-  }
-  for (std::size_t k = 0; k < covered.size(); ++k) covered[k] /= pi * width * width * (2.0 * static_cast<double>(k) + 1.0);
-  return end_of_dense_part(covered, width, scattering.base_share * deck.plate.layer_coverage);
+  const double given = deck.plate.grain_diameter;
+  const double diameter = std::isnan(given) ? seen_diameter(grains, frame.scale) : given;
+  const double width = std::isnan(scattering.ring_width) ? 2.0 * diameter : scattering.ring_width;
+  return end_of_dense_part(coverage(grains, frame, width, pi / 4.0 * diameter * diameter), width,
+                           scattering.base_share * deck.plate.layer_coverage);
 }
 
 /// Areas 1, 2 and 3 as in scattering(): from, to.
@@ -124,11 +128,23 @@ std::vector<Bounds> bounds_of(double base, const ScatteringDeck& scattering) {
   return bounds;
 }
 
-std::vector<double> counts(const std::vector<Portion>& portions, const std::vector<Bounds>& bounds) {
+/// The places of single grains and of those in clumps and at the pile's foot.
+std::vector<Pixel> places(const GrainPatches& grains, const std::vector<GrainPeak>& peaks) {
+  std::vector<Pixel> result;
+  for (std::size_t i = 0; i < grains.kind.size(); ++i) {
+    if (grains.kind[i] == Kind::single) result.push_back({grains.patches.all[i].x, grains.patches.all[i].y});
+  }
+  for (const GrainPeak& peak : peaks) result.push_back(peak.at);
+  return result;
+}
+
+std::vector<double> counts(const std::vector<Pixel>& places, const Frame& frame, const std::vector<Bounds>& bounds) {
   std::vector<double> result(bounds.size(), 0.0);
-  for (const Portion& p : portions) {
+  for (const Pixel& p : places) {
+    if (!frame.holds(p.x, p.y)) continue;
+    const double distance = frame.distance(p.x, p.y);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-      if (p.distance >= bounds[i].from && p.distance < bounds[i].to) result[i] += p.grains;
+      if (distance >= bounds[i].from && distance < bounds[i].to) result[i] += 1.0;
     }
   }
   return result;
@@ -137,32 +153,37 @@ std::vector<double> counts(const std::vector<Portion>& portions, const std::vect
 /// Base and counts at one threshold and scale.
 struct Tally {
   std::optional<double> base;
+  std::vector<GrainPeak> peaks;
   std::vector<double> counts;
 };
 
-Tally tally(const GrainPatches& grains, const Frame& frame, const PhotoDeck& deck, const ScatteringDeck& scattering) {
-  const std::vector<Portion> all = portions(grains, frame);
-  Tally result{.base = base_of(all, grains, frame.scale, deck, scattering), .counts = {}};
+Tally tally(const Subject& subject, const GrainPatches& grains, const Frame& frame, const PhotoDeck& deck,
+            const ScatteringDeck& scattering) {
+  Tally result{.base = base_of(grains, frame, deck, scattering), .peaks = {}, .counts = {}};
   const double base = std::isnan(scattering.base_radius) ? result.base.value_or(0.0) : scattering.base_radius;
-  result.counts = counts(all, bounds_of(base, scattering));
+  result.peaks = find_peaks(subject, grains, frame.axis, base * frame.scale);
+  result.counts = counts(places(grains, result.peaks), frame, bounds_of(base, scattering));
   return result;
 }
 
 void check_grains(const GrainPatches& grains, const Subject& subject, const PhotoDeck& deck, const std::string& name) {
   const bool has_singles = std::find(grains.kind.begin(), grains.kind.end(), Kind::single) != grains.kind.end();
   if (!has_singles && std::isnan(deck.plate.grain_diameter)) {
-    refuse(name, "no grain stands alone, so that it is open how large one is; give plate.grain_diameter, or check threshold");
+    refuse(name,
+           "no grain stands alone, so that it is open how large one is; give plate.grain_diameter, or check threshold");
   }
   const double diameter = 2.0 * std::sqrt(grains.grain_area / pi);
   if (diameter < least_diameter) {
-    refuse(name, fmt::format("a grain is {:.1f} pixels wide, at least {:.0f} are needed; take the photograph from nearer or "
-                             "with more pixels",
-                             diameter, least_diameter));
+    refuse(name,
+           fmt::format("a grain is {:.1f} pixels wide, at least {:.0f} are needed; take the photograph from nearer or "
+                       "with more pixels",
+                       diameter, least_diameter));
   }
   if (const double share = dim_share(grains, subject); share > most_dim) {
-    refuse(name, fmt::format("the grains are out of focus: {:.0f} % of the single ones are dimmer in their middle than three "
-                             "quarters of the contrast; focus on the plate",
-                             100.0 * share));
+    refuse(name,
+           fmt::format("the grains are out of focus: {:.0f} % of the single ones are dimmer in their middle than three "
+                       "quarters of the contrast; focus on the plate",
+                       100.0 * share));
   }
   if (grains.second >= 0) {
     refuse(name, fmt::format("two piles are found, the smaller with {:.0f} % of the area of the greater; crop_from and "
@@ -171,9 +192,11 @@ void check_grains(const GrainPatches& grains, const Subject& subject, const Phot
   }
   if (grains.pile < 0) return;
   const Patch& pile = grains.of(grains.pile);
-  if (pile.left == 0 || pile.top == 0 || pile.right + 1 == subject.excess.width || pile.bottom + 1 == subject.excess.height) {
-    refuse(name, "the pile is cut off at the edge of what is looked at; take the photograph from farther away, or widen "
-                 "crop_from and crop_to");
+  if (pile.left == 0 || pile.top == 0 || pile.right + 1 == subject.excess.width ||
+      pile.bottom + 1 == subject.excess.height) {
+    refuse(name,
+           "the pile is cut off at the edge of what is looked at; take the photograph from farther away, or widen "
+           "crop_from and crop_to");
   }
 }
 
@@ -183,9 +206,10 @@ double seen_share(const Image& image, const Frame& frame, double outermost, cons
   const double h = static_cast<double>(image.height) - 0.5;
   const double nearest = std::min({frame.axis.x + 0.5, w - frame.axis.x, frame.axis.y + 0.5, h - frame.axis.y});
   if (nearest < outermost * frame.scale) {
-    refuse(name, fmt::format("what is looked at ends {:.4g} mm from the axis, within area_3_radius = {:.4g} mm; take the "
-                             "photograph from farther away, or widen crop_from and crop_to",
-                             1e3 * nearest / frame.scale, 1e3 * outermost));
+    refuse(name,
+           fmt::format("what is looked at ends {:.4g} mm from the axis, within area_3_radius = {:.4g} mm; take the "
+                       "photograph from farther away, or widen crop_from and crop_to",
+                       1e3 * nearest / frame.scale, 1e3 * outermost));
   }
   constexpr int n = 400;
   double seen = 0.0, all = 0.0;
@@ -203,19 +227,34 @@ double seen_share(const Image& image, const Frame& frame, double outermost, cons
   return all > 0.0 ? seen / all : 1.0;
 }
 
+/// Whether peaks are looked for everywhere in the patch.
+bool is_beyond_base(const Patch& p, const PlateView& view, const Frame& frame) {
+  const double extent = std::hypot(static_cast<double>(p.right - p.left), static_cast<double>(p.bottom - p.top));
+  return frame.distance(p.x, p.y) - extent / frame.scale > view.base_radius;
+}
+
 void count_kinds(PlateView& view, const Frame& frame) {
+  std::vector<double> peaks(view.grains.kind.size(), 0.0);
+  for (const GrainPeak& peak : view.peaks) peaks[static_cast<std::size_t>(peak.patch)] += 1.0;
   for (std::size_t i = 0; i < view.grains.kind.size(); ++i) {
     const Patch& p = view.grains.patches.all[i];
     if (!frame.holds(p.x, p.y)) continue;
-    const double grains = p.area / view.grains.grain_area;
     switch (view.grains.kind[i]) {
-      case Kind::single: view.single += 1.0; break;
-      case Kind::speck: view.specks += 1.0; break;
-      case Kind::clump:
-        view.merged += grains;
-        if (std::abs(grains - std::round(grains)) > 0.25) view.doubtful += grains;
+      case Kind::single:
+        view.single += 1.0;
         break;
-      case Kind::pile: break;
+      case Kind::speck:
+        view.specks += 1.0;
+        break;
+      case Kind::clump:
+        view.merged += peaks[i];
+        if (is_beyond_base(p, view, frame)) {
+          view.doubtful += std::abs(peaks[i] - std::round(p.area / view.grains.grain_area));
+        }
+        break;
+      case Kind::pile:
+        view.merged += peaks[i];
+        break;
     }
   }
 }
@@ -230,50 +269,55 @@ PlateView measure_plate(const Image& image, const PhotoDeck& deck, const Scatter
   view.contrast = subject.contrast;
   view.noise = subject.noise;
   view.is_light = subject.is_light;
-  const double grain_area = pi / 4.0 * std::pow(view.pixels_per_metre * deck.plate.grain_diameter, 2);
+  const double diameter = view.pixels_per_metre * deck.plate.grain_diameter;
+  const double grain_area = std::isnan(diameter) ? 0.0 : pi / 4.0 * diameter * diameter;
   const auto grains_at = [&](double share) {
-    return find_grains(subject, std::max(4.0 * subject.noise, share * subject.contrast), grain_area);
+    return find_grains(subject, std::max(5.0 * subject.noise, share * subject.contrast), grain_area);
   };
-  view.grains = grains_at(deck.threshold);
+  const double threshold = std::isnan(deck.threshold) ? default_threshold : deck.threshold;
+  view.grains = grains_at(threshold);
   check_grains(view.grains, subject, deck, name);
   if (view.grains.pile < 0 && !is_given(deck.plate.axis)) {
-    refuse(name, "no pile is found, so that it is open where the axis is; give plate.axis and, in the base deck, "
-                 "measurement.scattering.base_radius");
+    refuse(name,
+           "no pile is found, so that it is open where the axis is; give plate.axis and, in the base deck, "
+           "measurement.scattering.base_radius");
   }
-  view.axis = is_given(deck.plate.axis) ? Pixel{deck.plate.axis[0], deck.plate.axis[1]} : middle_of_pile(view.grains);
+  view.axis = is_given(deck.plate.axis) ? Pixel{deck.plate.axis[0], deck.plate.axis[1]}
+                                        : middle_of_pile(grains_at(std::min(threshold, threshold_of_middle)));
   const Vec3 low = scattering.plate_min - scattering.axis;
   const Vec3 high = scattering.plate_max - scattering.axis;
-  const Frame frame{.axis = view.axis,
-                    .scale = view.pixels_per_metre,
-                    .left = low.x,
-                    .right = high.x,
-                    .up = high.y,
-                    .down = low.y};
+  const Frame frame{
+      .axis = view.axis, .scale = view.pixels_per_metre, .left = low.x, .right = high.x, .up = high.y, .down = low.y};
   view.seen_share = seen_share(image, frame, scattering.area_3_radius, name);
-  view.grain_diameter = diameter_of(view.grains, frame.scale);
+  view.grain_diameter = seen_diameter(view.grains, frame.scale);
 
-  const Tally best = tally(view.grains, frame, deck, scattering);
+  Tally best = tally(subject, view.grains, frame, deck, scattering);
   view.measured_base_radius = best.base;
+  view.peaks = std::move(best.peaks);
   if (!best.base && std::isnan(scattering.base_radius)) {
     refuse(name, "no base of a pile is found; give measurement.scattering.base_radius in the base deck");
   }
   view.base_radius = std::isnan(scattering.base_radius) ? *best.base : scattering.base_radius;
   if (view.base_radius >= scattering.area_3_radius) {
-    refuse(name, fmt::format("the pile's base has a radius of {:.4g} mm, measurement.scattering.area_3_radius is {:.4g} mm; "
-                             "choose a greater one",
-                             1e3 * view.base_radius, 1e3 * scattering.area_3_radius));
+    refuse(name,
+           fmt::format("the pile's base has a radius of {:.4g} mm, measurement.scattering.area_3_radius is {:.4g} mm; "
+                       "choose a greater one",
+                       1e3 * view.base_radius, 1e3 * scattering.area_3_radius));
   }
   count_kinds(view, frame);
   if (view.doubtful > deck.plate.most_doubtful * std::max(1.0, view.single + view.merged)) {
-    refuse(name, fmt::format("{:.0f} of the {:.0f} grains beside the pile stand in clumps whose area is no whole number of "
-                             "grains, above plate.most_doubtful = {:.2g}; check threshold and plate.grain_diameter",
-                             view.doubtful, view.single + view.merged, deck.plate.most_doubtful));
+    refuse(name, fmt::format(
+                     "clumps have the area of {:.0f} grains more or fewer than are seen in them, of {:.0f} beside the "
+                     "pile, above plate.most_doubtful = {:.2g}; another threshold or more pixels may help",
+                     view.doubtful, view.single + view.merged, deck.plate.most_doubtful));
   }
-  const Tally lower = tally(grains_at(std::max(0.05, deck.threshold - deck.threshold_deviation)), frame, deck, scattering);
-  const Tally upper = tally(grains_at(std::min(0.95, deck.threshold + deck.threshold_deviation)), frame, deck, scattering);
+  const Tally lower =
+      tally(subject, grains_at(std::max(0.05, threshold - deck.threshold_deviation)), frame, deck, scattering);
+  const Tally upper =
+      tally(subject, grains_at(std::min(0.95, threshold + deck.threshold_deviation)), frame, deck, scattering);
   Frame wider = frame;
   wider.scale *= 1.0 + deck.scale.deviation;
-  const Tally scaled = tally(view.grains, wider, deck, scattering);
+  const Tally scaled = tally(subject, view.grains, wider, deck, scattering);
   const std::vector<Bounds> bounds = bounds_of(view.base_radius, scattering);
   view.has_area_2 = bounds.size() == 3;
   for (std::size_t i = 0; i < bounds.size(); ++i) {

@@ -147,10 +147,12 @@ Subject find_subject(const Image& image, const PhotoDeck& deck, Ground ground, c
         name, kind));
   }
   if (subject.contrast < std::max(deck.least_contrast, 5.0 * subject.noise)) {
-    throw DeckError(fmt::format(
-        "{}: too little contrast: the {}grains differ from the background by {:.3f} of black to white, at least {:.3f} is "
-        "needed (the background's noise is {:.3f}); a background of another colour, channel or least_contrast would help",
-        name, kind, subject.contrast, std::max(deck.least_contrast, 5.0 * subject.noise), subject.noise));
+    throw DeckError(
+        fmt::format("{}: too little contrast: the {}grains differ from the background by {:.3f} of black to white, at "
+                    "least {:.3f} is "
+                    "needed (the background's noise is {:.3f}); a background of another colour, channel or "
+                    "least_contrast would help",
+                    name, kind, subject.contrast, std::max(deck.least_contrast, 5.0 * subject.noise), subject.noise));
   }
   const double sign = subject.is_light ? 1.0 : -1.0;
   subject.excess = Image(image.width, image.height);

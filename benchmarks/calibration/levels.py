@@ -32,7 +32,7 @@ start = 14
 name = "mini"
 start = 5
 """
-ANY_WIDTH = 1e6  # a search ends with its first batch
+ANY_WIDTH = 1.0  # a search ends with its first batch: no interval is wider than its range
 
 
 class Searches:
@@ -86,20 +86,30 @@ def main():
     parser.add_argument("--ranks", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--half-width", type=float, default=0.12, help="of the widest interval, at which both searches end")
     parser.add_argument("--budget", type=float, default=5.0, help="core-hours of a search at most")
+    parser.add_argument("--anew", action="store_true", help="do not go on from the results of an earlier call")
     options = parser.parse_args()
     searches = Searches(options)
-    values = STUDY.laboratory_values(searches.calibrate("hidden", STUDY.laboratories(searches.base)))
-    rows = []
-    for number, (hidden, laboratory) in enumerate(zip(STUDY.hidden, values)):
-        over = searches.search(f"levels_{number}", laboratory, 9, options.half_width, LEVELS)
-        rows.append({"hidden": hidden, "laboratory": laboratory, "levels": row_of(over, hidden)})
-        print(rows[-1], flush=True)
-    for number, row in enumerate(rows):
-        alone = searches.search(f"alone_{number}", row["laboratory"], 9, options.half_width)
-        row["alone"] = row_of(alone, row["hidden"])
-        row["share"] = row["levels"]["particle_steps"] / row["alone"]["particle_steps"]
-        print(row["hidden"], f"{row['share']:.2f} of the cost", row["alone"], flush=True)
+    rows = rows_so_far(options)
+    if not rows:
+        values = STUDY.laboratory_values(searches.calibrate("hidden", STUDY.laboratories(searches.base)))
+        rows = [{"hidden": hidden, "laboratory": laboratory} for hidden, laboratory in zip(STUDY.hidden, values)]
         save(options.results / "levels.json", rows=rows)
+    for kind, levels in (("levels", LEVELS), ("alone", "")):
+        for number, row in enumerate(rows):
+            if kind in row:
+                continue
+            found = searches.search(f"{kind}_{number}", row["laboratory"], 9, options.half_width, levels)
+            row[kind] = row_of(found, row["hidden"])
+            if kind == "alone":
+                row["share"] = row["levels"]["particle_steps"] / row["alone"]["particle_steps"]
+            print(row["hidden"], kind, row[kind], flush=True)
+            save(options.results / "levels.json", rows=rows)
+
+
+def rows_so_far(options):
+    """What an earlier call has found: each search is kept as soon as it ends."""
+    path = options.results / "levels.json"
+    return [] if options.anew or not path.exists() else json.loads(path.read_text())["rows"]
 
 
 if __name__ == "__main__":

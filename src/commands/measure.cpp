@@ -1,3 +1,5 @@
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -13,6 +15,8 @@
 #include "files/shared_file.h"
 #include "output/build_info.h"
 #include "output/snapshot_reader.h"
+#include "photo/photo_file.h"
+#include "photo/rendered.h"
 #include "run/measurements/measurement.h"
 #include "scene/insertion/particle_csv.h"
 #include "scene/particles/sphere_mass.h"
@@ -21,6 +25,8 @@ namespace repose {
 namespace {
 
 constexpr const char* result_file = "/measurement.json";
+constexpr const char* pile_view_file = "/pile_view.png";
+constexpr const char* plate_view_file = "/plate_view.png";
 
 FinishedState read_state(const Deck& deck, const std::string& file, const std::string& output) {
   const std::string bytes = read_whole_file(file);
@@ -60,7 +66,7 @@ std::vector<const MeasurementKind*> chosen(const Deck& deck) {
 /// What an earlier measurement has left in the same directory would pass for this one's.
 void prepare_directory(const std::string& output) {
   create_output_directory(output);
-  std::filesystem::remove(output + result_file);
+  for (const char* file : {result_file, pile_view_file, plate_view_file}) std::filesystem::remove(output + file);
   for (const MeasurementKind& kind : measurement_kinds()) {
     if (kind.measure == nullptr) continue;
     for (const std::string& name : kind.files) std::filesystem::remove(output + "/" + name);
@@ -97,6 +103,19 @@ std::string lines_of(const FinishedState& state, const std::vector<const Measure
   return text;
 }
 
+/// The grains as photographs would show them, for `repose photo`.
+void write_views(const FinishedState& state, double pixels_per_mm) {
+  const Deck& deck = state.deck;
+  if (deck.angle_of_repose.enabled) {
+    write_text_file(state.directory + pile_view_file,
+                    photo::png_of(photo::rendered_pile(state.grains, deck.angle_of_repose, pixels_per_mm)));
+  }
+  if (deck.scattering.enabled) {
+    write_text_file(state.directory + plate_view_file,
+                    photo::png_of(photo::rendered_plate(state.grains, deck.scattering, pixels_per_mm)));
+  }
+}
+
 class Measure : public Command {
  public:
   void declare(Options& options) override {
@@ -104,6 +123,9 @@ class Measure : public Command {
     options.option("--deck", deck_, "DECK", "deck (TOML) that says what to measure", Options::Need::must);
     declare_overrides(options, overrides_);
     options.option("--output", output_, "DIR", "directory of measurement.json and the pictures");
+    options.parsed(
+        "--pixels-per-mm", [this](const std::string& text) { read_pixels_per_mm(text); }, "NUMBER",
+        "also draw the views as photographs of this scale");
   }
 
   void carry_out(Process& process) override {
@@ -114,12 +136,24 @@ class Measure : public Command {
   }
 
  private:
+  void read_pixels_per_mm(const std::string& text) {
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, pixels_per_mm_);
+    if (error != std::errc() || rest != end || !(pixels_per_mm_ > 0.0) || std::isinf(pixels_per_mm_)) {
+      throw DeckError(fmt::format("--pixels-per-mm {}: must be a number above 0, such as 40", text));
+    }
+  }
+
   std::string measure(const Deck& deck) const {
+    if (pixels_per_mm_ > 0.0 && output_.empty()) {
+      throw DeckError("--pixels-per-mm needs --output, the directory of the views");
+    }
     const std::vector<const MeasurementKind*> kinds = chosen(deck);
     const FinishedState state = read_state(deck, file_, output_);
     if (!output_.empty()) prepare_directory(output_);
     Figures figures = no_figures(Figure::From::grains);
     for (const MeasurementKind* kind : kinds) kind->measure(state, figures);
+    if (pixels_per_mm_ > 0.0) write_views(state, pixels_per_mm_);
     if (!output_.empty()) write_text_file(output_ + result_file, result_text(state, file_, figures));
     return lines_of(state, kinds, figures);
   }
@@ -128,6 +162,7 @@ class Measure : public Command {
   std::string deck_;
   std::vector<std::string> overrides_;
   std::string output_;
+  double pixels_per_mm_ = 0.0;
 };
 
 }  // namespace

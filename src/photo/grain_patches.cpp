@@ -5,35 +5,38 @@
 namespace repose::photo {
 namespace {
 
-constexpr double least_roundness = 0.9;
 constexpr double area_range = 4.0;  // of a single grain, about the median, either way
 constexpr double speck_share = 0.2;
 constexpr double least_pile = 20.0;  // grains
 constexpr double second_share = 0.5;
 constexpr double least_area = 4.0;  // px^2: less is noise
 
-bool may_be_single(const Patch& patch) { return patch.area >= least_area && patch.roundness >= least_roundness; }
+bool may_be_single(const Patch& patch, double least_roundness) {
+  return patch.area >= least_area && patch.roundness >= least_roundness;
+}
 
-double median_area(const std::vector<Patch>& all) {
+double median_area(const std::vector<Patch>& all, double least_roundness) {
   std::vector<float> areas;
   for (const Patch& p : all) {
-    if (may_be_single(p)) areas.push_back(static_cast<float>(p.area));
+    if (may_be_single(p, least_roundness)) areas.push_back(static_cast<float>(p.area));
   }
   return areas.empty() ? 0.0 : static_cast<double>(median(areas));
 }
 
 }  // namespace
 
-GrainPatches find_grains(const Subject& subject, double threshold, double otherwise) {
+GrainPatches find_grains(const Subject& subject, double threshold, double least_roundness, double otherwise) {
   GrainPatches result;
   result.patches = find_patches(subject.excess.width, subject.excess.height,
                                 [&](std::size_t x, std::size_t y) { return subject.excess.at(x, y) > threshold; });
   const std::vector<Patch>& all = result.patches.all;
-  const double middle = median_area(all);
+  const double middle = median_area(all, least_roundness);
   result.kind.assign(all.size(), GrainPatches::Kind::clump);
   double sum = 0.0, count = 0.0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!may_be_single(all[i]) || all[i].area < middle / area_range || all[i].area > middle * area_range) continue;
+    if (!may_be_single(all[i], least_roundness) || all[i].area < middle / area_range ||
+        all[i].area > middle * area_range)
+      continue;
     result.kind[i] = GrainPatches::Kind::single;
     sum += all[i].area;
     count += 1.0;

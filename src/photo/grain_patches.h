@@ -21,10 +21,11 @@ struct GrainPatches {
   const Patch& of(std::int32_t i) const { return patches.all[static_cast<std::size_t>(i)]; }
 };
 
-/// The patches above `threshold`. A grain is single when its patch is round (roundness at least 0.9) and has between a
-/// quarter and four times the median area of such; a patch of less than a fifth of their mean is a speck; the largest
-/// is the pile when it has the area of 20 grains. Where no patch is single, grain_area is `otherwise` (px^2).
-GrainPatches find_grains(const Subject& subject, double threshold, double otherwise);
+/// The patches above `threshold`. A grain is single when its patch is round (Patch::roundness at least
+/// `least_roundness`) and has between a quarter and four times the median area of such; a patch of less than a fifth of
+/// their mean is a speck; the largest is the pile when it has the area of 20 grains. Where no patch is single,
+/// grain_area is `otherwise` (px^2).
+GrainPatches find_grains(const Subject& subject, double threshold, double least_roundness, double otherwise);
 
 /// Share of the single grains that are less bright in their middle than three quarters of the contrast: of a sharp
 /// picture few.

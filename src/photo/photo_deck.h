@@ -38,6 +38,7 @@ struct PileViewDeck {
 struct PlateViewDeck {
   std::array<double, 2> axis = no_place;  ///< px; default: the middle of the pile
   double grain_diameter = unset;          ///< m, root mean square; default: the base deck's, or as in the picture
+  double least_roundness = 0.9;           ///< of a patch that is one grain
   double layer_coverage = 0.77;           ///< share of the plate that the lowest layer of a pile covers
   double most_doubtful = 0.25;            ///< share of the grains by which the areas of clumps may say otherwise
 };
@@ -86,6 +87,8 @@ void describe(V& v, PlateViewDeck& p) {
   v("grain_diameter", p.grain_diameter, Unit::metre, above(0),
     optional_else("of the base deck's grains where all are alike, or as in the picture"),
     "root mean square of the grains' diameters");
+  v("least_roundness", p.least_roundness, Unit::none, above_to(0, 1), optional,
+    "area squared over 2 pi times the polar second moment of what is one grain: 1 for a disc, 0.67 for two that touch");
   v("layer_coverage", p.layer_coverage, Unit::none, above_to(0, 1), optional,
     "share of the plate that the lowest layer of grains under a pile covers");
   v("most_doubtful", p.most_doubtful, Unit::none, from_to(0, 1), optional,

@@ -15,8 +15,8 @@ namespace {
 using Kind = GrainPatches::Kind;
 
 constexpr double default_threshold = 0.5;
-constexpr double threshold_of_middle = 0.15;  // low, so that the pile's side in the shade counts
-constexpr double least_diameter = 4.0;        // px
+constexpr double threshold_in_shade = 0.15;  // so that a pile's side in the shade counts; shadows would, of dark grains
+constexpr double least_diameter = 4.0;       // px
 constexpr double most_dim = 0.5;
 constexpr int centrings = 5;
 
@@ -32,6 +32,11 @@ double pixels_per_metre(const ScaleDeck& scale, const std::string& name) {
            "with bar_length, or pixels_per_mm");
   }
   return std::hypot(scale.bar_to[0] - scale.bar_from[0], scale.bar_to[1] - scale.bar_from[1]) / scale.bar_length;
+}
+
+/// The better of the two to find the pile's middle: at the lower threshold, if the pile is found there.
+const GrainPatches& in_shade(const GrainPatches& grains, const GrainPatches& lower) {
+  return lower.pile < 0 ? grains : lower;
 }
 
 /// The middle of the pile's patch, which has to be there: of its pixels within a circle of nearly its own area, so that
@@ -272,7 +277,8 @@ PlateView measure_plate(const Image& image, const PhotoDeck& deck, const Scatter
   const double diameter = view.pixels_per_metre * deck.plate.grain_diameter;
   const double grain_area = std::isnan(diameter) ? 0.0 : pi / 4.0 * diameter * diameter;
   const auto grains_at = [&](double share) {
-    return find_grains(subject, std::max(5.0 * subject.noise, share * subject.contrast), grain_area);
+    return find_grains(subject, std::max(5.0 * subject.noise, share * subject.contrast), deck.plate.least_roundness,
+                       grain_area);
   };
   const double threshold = std::isnan(deck.threshold) ? default_threshold : deck.threshold;
   view.grains = grains_at(threshold);
@@ -282,8 +288,10 @@ PlateView measure_plate(const Image& image, const PhotoDeck& deck, const Scatter
            "no pile is found, so that it is open where the axis is; give plate.axis and, in the base deck, "
            "measurement.scattering.base_radius");
   }
-  view.axis = is_given(deck.plate.axis) ? Pixel{deck.plate.axis[0], deck.plate.axis[1]}
-                                        : middle_of_pile(grains_at(std::min(threshold, threshold_of_middle)));
+  view.axis =
+      is_given(deck.plate.axis)
+          ? Pixel{deck.plate.axis[0], deck.plate.axis[1]}
+          : middle_of_pile(subject.is_light ? in_shade(view.grains, grains_at(threshold_in_shade)) : view.grains);
   const Vec3 low = scattering.plate_min - scattering.axis;
   const Vec3 high = scattering.plate_max - scattering.axis;
   const Frame frame{

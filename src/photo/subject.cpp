@@ -15,10 +15,14 @@ using Polynomial = Eigen::Vector<double, 6>;
 
 constexpr double most_samples = 40000.0;
 constexpr double least_noise = 1.0 / 255.0;
-constexpr int rounds = 12;
+constexpr int rounds = 24;
+constexpr double within = 2.5;                  // standard deviations, of what belongs to the background
+constexpr double cut_off = 1.05;                // by which that makes the standard deviation too small
 constexpr double deviation_of_median = 1.4826;  // standard deviation over the median of absolute deviations
 
 struct Sample {
+  double column = 0.0;
+  double row = 0.0;
   Polynomial terms;
   double grey = 0.0;
 };
@@ -30,12 +34,10 @@ Polynomial terms_at(const Image& image, double column, double row) {
   return {1.0, x, y, x * x, x * y, y * y};
 }
 
-bool is_above(const Image& image, std::size_t x, std::size_t y) {
+bool is_above(const Image& image, const Sample& s) {
   const auto w = static_cast<double>(image.width);
   const auto h = static_cast<double>(image.height);
-  const auto u = static_cast<double>(x);
-  const auto v = static_cast<double>(y);
-  return v < 0.08 * h || (v < 0.4 * h && (u < 0.08 * w || u > 0.92 * w));
+  return s.row < 0.08 * h || (s.row < 0.4 * h && (s.column < 0.08 * w || s.column > 0.92 * w));
 }
 
 std::vector<Sample> samples_of(const Image& image) {
@@ -44,7 +46,9 @@ std::vector<Sample> samples_of(const Image& image) {
   std::vector<Sample> samples;
   for (std::size_t y = step / 2; y < image.height; y += step) {
     for (std::size_t x = step / 2; x < image.width; x += step) {
-      samples.push_back({terms_at(image, static_cast<double>(x), static_cast<double>(y)), image.at(x, y)});
+      const auto column = static_cast<double>(x);
+      const auto row = static_cast<double>(y);
+      samples.push_back({column, row, terms_at(image, column, row), image.at(x, y)});
     }
   }
   return samples;
@@ -68,43 +72,58 @@ struct Background {
   double noise = least_noise;
 };
 
-double deviation_about(const std::vector<const Sample*>& chosen, const Polynomial& polynomial) {
-  std::vector<float> off;
-  for (const Sample* s : chosen) off.push_back(static_cast<float>(std::abs(s->grey - polynomial.dot(s->terms))));
-  return std::max(least_noise, deviation_of_median * static_cast<double>(median(off)));
+double off(const Sample& sample, const Polynomial& polynomial) {
+  return std::abs(sample.grey - polynomial.dot(sample.terms));
 }
 
-/// Begins with what is known to be background, or with the grey value that most pixels are near, and takes in what
-/// agrees: a level first, then a slope, then a curvature, so that what stands out bends nothing.
-Background fit_background(const Image& image, Ground ground) {
-  const std::vector<Sample> samples = samples_of(image);
-  std::vector<const Sample*> chosen;
-  if (ground == Ground::above) {
-    const auto pixels = static_cast<double>(image.width) * static_cast<double>(image.height);
-    const auto step = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(pixels / most_samples)));
-    std::size_t i = 0;
-    for (std::size_t y = step / 2; y < image.height; y += step) {
-      for (std::size_t x = step / 2; x < image.width; x += step, ++i) {
-        if (is_above(image, x, y)) chosen.push_back(&samples[i]);
-      }
-    }
+/// The middle of the half of the grey values that lie closest together.
+double level_of(const std::vector<const Sample*>& samples) {
+  std::vector<double> greys;
+  for (const Sample* s : samples) greys.push_back(s->grey);
+  std::sort(greys.begin(), greys.end());
+  const std::size_t half = greys.size() / 2;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i + half < greys.size(); ++i) {
+    if (greys[i + half] - greys[i] < greys[first + half] - greys[first]) first = i;
   }
-  if (chosen.empty()) {
-    for (const Sample& s : samples) chosen.push_back(&s);
-  }
-  Background result;
-  std::vector<float> greys;
-  for (const Sample* s : chosen) greys.push_back(static_cast<float>(s->grey));
-  result.polynomial = Polynomial::Zero();
-  result.polynomial[0] = median(greys);
-  result.noise = deviation_about(chosen, result.polynomial);
+  return 0.5 * (greys[first] + greys[first + half]);
+}
+
+/// Least trimmed squares (Rousseeuw and Van Driessen 2006, doi:10.1007/s10618-005-0024-4): fitted again and again to
+/// the half that is nearest to the last fit, a slope first, then a curvature.
+Polynomial trimmed_fit(std::vector<const Sample*> samples) {
+  Polynomial polynomial = Polynomial::Zero();
+  polynomial[0] = level_of(samples);
+  const auto half = static_cast<std::ptrdiff_t>(samples.size() / 2);
   for (int round = 0; round < rounds; ++round) {
+    std::nth_element(samples.begin(), samples.begin() + half, samples.end(),
+                     [&](const Sample* a, const Sample* b) { return off(*a, polynomial) < off(*b, polynomial); });
+    polynomial = fit({samples.begin(), samples.begin() + half + 1}, round < rounds / 4 ? 3 : 6);
+  }
+  return polynomial;
+}
+
+/// Fits what is known to be background, or the half of all that agrees best, and then all that agrees with it.
+Background fit_background(const Image& image, const std::vector<Sample>& samples, Ground ground) {
+  std::vector<const Sample*> chosen;
+  for (const Sample& s : samples) {
+    if (ground == Ground::around || is_above(image, s)) chosen.push_back(&s);
+  }
+  Background result{.polynomial = trimmed_fit(chosen)};
+  std::vector<float> distances;
+  for (const Sample* s : chosen) distances.push_back(static_cast<float>(off(*s, result.polynomial)));
+  result.noise = std::max(least_noise, deviation_of_median * static_cast<double>(median(distances)));
+  for (int round = 0; round < 5; ++round) {
     chosen.clear();
+    double squares = 0.0;
     for (const Sample& s : samples) {
-      if (std::abs(s.grey - result.polynomial.dot(s.terms)) < 3.0 * result.noise) chosen.push_back(&s);
+      const double distance = off(s, result.polynomial);
+      if (distance > within * result.noise) continue;
+      chosen.push_back(&s);
+      squares += distance * distance;
     }
-    result.polynomial = fit(chosen, round < 2 ? 1 : round < 4 ? 3 : 6);
-    result.noise = deviation_about(chosen, result.polynomial);
+    result.polynomial = fit(chosen, 6);
+    result.noise = std::max(least_noise, cut_off * std::sqrt(squares / static_cast<double>(chosen.size())));
   }
   return result;
 }
@@ -130,8 +149,8 @@ Side side_of(const std::vector<Sample>& samples, const Background& background, d
 }  // namespace
 
 Subject find_subject(const Image& image, const PhotoDeck& deck, Ground ground, const std::string& name) {
-  const Background background = fit_background(image, ground);
   const std::vector<Sample> samples = samples_of(image);
+  const Background background = fit_background(image, samples, ground);
   const Side light = side_of(samples, background, 1.0);
   const Side dark = side_of(samples, background, -1.0);
   Subject subject;

@@ -1,6 +1,6 @@
 """The walls of a resolved deck as surfaces to look at: points and polygons, in m, where they are before anything moves.
 
-Planes have no end: they are cut at the sides of the domain. Used by open_in_paraview.py; needs nothing but Python.
+Planes have no end: they are cut at the sides of the domain. For ParaView (tools/open_in_paraview.py); needs nothing but Python.
 """
 import math
 import os

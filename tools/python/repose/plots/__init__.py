@@ -1,0 +1,17 @@
+"""Pictures by matplotlib. Each function returns a `matplotlib.figure.Figure`, or None where there is nothing to draw:
+
+    figure = repose.plots.energies(repose.Run("results/quick"))
+    figure.savefig("energies.pdf")
+"""
+
+from repose.plots.course import discharge, energies, walls
+from repose.plots.effects import effects
+from repose.plots.lines import lines
+from repose.plots.plane import plane
+
+__all__ = ["calibration", "discharge", "effects", "energies", "lines", "plane", "walls"]
+
+
+def calibration(study):
+    """What a `Calibration` has found: contours over two parameters, or the runs over each of one or three."""
+    return plane(study) if study.surfaces is not None else lines(study)

@@ -14,7 +14,7 @@ cannot be read or run raises `ReposeError` with one line.
     Calibration   of `repose calibrate`: runs, surfaces, estimate
     Validation    of `repose validate`: cases beside the laboratory's figures
     Sensitivity   of `repose sensitivity`: what each parameter does to the figures
-    run           starts the program and returns the Run
+    run           starts the program and returns the Run; calibrate and validate likewise
     open          the one of the four that a directory holds
 
 Needs numpy; h5py for snapshots and contacts, matplotlib for `repose.plots`, pandas for `Table.frame()` alone.
@@ -24,11 +24,11 @@ from repose.calibration import Calibration, Surfaces
 from repose.contacts import Contacts
 from repose.directory import open_directory as open
 from repose.files import ReposeError, Table
-from repose.program import find_program, run
+from repose.program import calibrate, find_program, run, validate
 from repose.run_directory import Run
 from repose.sensitivity import Sensitivity
 from repose.snapshot import Snapshot
 from repose.validation import Validation
 
 __all__ = ["Calibration", "Contacts", "ReposeError", "Run", "Sensitivity", "Snapshot", "Surfaces", "Table", "Validation",
-           "find_program", "open", "run"]
+           "calibrate", "find_program", "open", "run", "validate"]

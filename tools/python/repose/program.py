@@ -6,8 +6,10 @@ import pathlib
 import shutil
 import subprocess
 
+from repose.calibration import Calibration
 from repose.files import ReposeError
 from repose.run_directory import Run
+from repose.validation import Validation
 
 BUILDS = ("release", "ci")
 
@@ -60,8 +62,10 @@ def call(arguments, ranks=1, program=None, mpirun="mpirun"):
 
 
 def set_options(values):
-    """Words of the command line for {key of the deck: value}."""
-    return [word for key, value in (values or {}).items() for word in ("--set", f"{key}={value_text(value)}")]
+    """Words of the command line for {key of the deck: value}, or for a list of texts "key=value"."""
+    if isinstance(values, dict):
+        values = [f"{key}={value_text(value)}" for key, value in values.items()]
+    return [word for value in values or () for word in ("--set", value)]
 
 
 def run(deck, output, set=None, ranks=1, program=None, restart=False, options=(), mpirun="mpirun"):
@@ -70,7 +74,7 @@ def run(deck, output, set=None, ranks=1, program=None, restart=False, options=()
     deck      path of a deck (TOML)
     output    directory of the results
     set       {key: value} in place of values of the deck; numbers in SI, texts with their unit: {"run.seed": 2,
-              "particles.0.mass": "0.3 g", "wall.lid.radius": 2e-3}
+              "particles.0.mass": "0.3 g", "wall.lid.radius": 2e-3}; or a list of texts "key=value"
     ranks     processes, started by mpirun when there are several
     program   path of repose; see `find_program`
     restart   go on with a run that was stopped, or take it as it is when it is complete
@@ -81,3 +85,15 @@ def run(deck, output, set=None, ranks=1, program=None, restart=False, options=()
     words = ["run", deck, "--output", output, "--quiet", *set_options(set), *(["--restart"] if restart else []), *options]
     call(words, ranks, program, mpirun)
     return Run(output)
+
+
+def calibrate(deck, output, set=None, ranks=1, program=None, options=(), mpirun="mpirun"):
+    """Does what is missing of the runs of a calibration (TOML) and returns its `Calibration`. As `run`."""
+    call(["calibrate", deck, "--output", output, "--quiet", *set_options(set), *options], ranks, program, mpirun)
+    return Calibration(output)
+
+
+def validate(deck, output, set=None, ranks=1, program=None, options=(), mpirun="mpirun"):
+    """Does what is missing of the cases of a validation (TOML) and returns its `Validation`. As `run`."""
+    call(["validate", deck, "--output", output, "--quiet", *set_options(set), *options], ranks, program, mpirun)
+    return Validation(output)

@@ -31,6 +31,7 @@ class Package(unittest.TestCase):
         sys.path.insert(0, os.path.join(cls.program.source, "tools", "python"))
         global repose
         import repose
+        import repose.plots
         overrides = dict(text.split("=", 1) for text in REDUCED)
         overrides |= {"output.snapshot_interval": 0.01, "run.seed": 3, "wall.vessel.points": [[0.004, 0.04], [0.004, 0.0],
                                                                                             [0.00175, 0.0]]}
@@ -179,6 +180,30 @@ class Package(unittest.TestCase):
         self.assertIsNone(self.run_.contacts)
         self.assertIsNone(self.run_.picture("top_view", "pdf"))
 
+    def test_calibrate_and_validate(self):
+        """As run, but for what they return."""
+        for start, name in ((repose.calibrate, "a calibration"), (repose.validate, "a validation")):
+            error = self.raises("absent.toml: cannot open", start, "absent.toml", self.path("none"), set=["run.seed=2"],
+                                program=self.program.executable)
+            self.assertEqual(error.code, 4, name)
+
+    def test_plots_of_a_run(self):
+        plots = repose.plots
+        for draw in (plots.discharge, plots.energies, plots.walls):
+            figure = draw(self.run_)
+            self.assertGreater(len(figure.axes[0].lines), 0, draw.__name__)
+        curve = plots.discharge(self.run_).axes[0].lines[0]
+        self.assertTrue(np.array_equal(curve.get_xdata(), self.run_.series["time_s"]))
+        drawn, mass = curve.get_ydata(), self.run_.series["discharged_mass_kg"]
+        self.assertTrue(np.allclose(drawn / drawn.max(), mass / mass.max()))
+
+    def test_the_example_draws_a_figure(self):
+        picture = self.path("example.png")
+        done = subprocess.run([os.path.join(self.program.source, "tools", "python", "example.py"), self.run_folder,
+                               self.run_folder, "--output", picture], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreater(os.path.getsize(picture), 5000)
+
     def test_a_calibration(self):
         output = self.study("calibrate", head(self.deck("discharge_quick.toml")) + GRID)
         calibration = repose.open(output)
@@ -208,6 +233,8 @@ class Package(unittest.TestCase):
         self.assertEqual(len(nearest), calibration.states["done"])
         self.assertLess(off[0], off[1])
         self.assertEqual((calibration.levels, calibration.first_level_surfaces), ([], None))
+        marks = {line.get_gid() for axes in repose.plots.calibration(calibration).axes for line in axes.lines}
+        self.assertLessEqual({f"run-{row}-{row + 1}" for row in range(0, len(rows), 2)}, marks)
         os.remove(os.path.join(output, "estimate.json"))
         self.raises("has no estimate.json", lambda: repose.Calibration(output).estimate)
 
@@ -231,6 +258,8 @@ class Package(unittest.TestCase):
             walks = {e["parameter"]: e for e in json.load(file)["morris"]}
         self.assertEqual(study.morris("discharged_mass_kg"), walks)
         self.assertEqual(study.figures, ["discharged_mass_kg"])
+        bars = repose.plots.effects(study).axes[0].patches
+        self.assertEqual([bar.get_width() for bar in bars], [1e3 * e["effect"] for e in effects.values()])
 
     def test_a_validation(self):
         text = 'title = "two cases"\npublished = "theirs"\n' + "".join(

@@ -4,6 +4,7 @@ import functools
 
 import numpy as np
 
+from repose.files import read_table
 from repose.study import Study
 
 
@@ -47,6 +48,14 @@ class Calibration(Study):
         """`Surfaces` of what the cheapest level alone would say; None without levels or two parameters."""
         content = self.estimate.get("first_level_alone", {}).get("surfaces")
         return Surfaces(content) if content else None
+
+    @functools.cached_property
+    def search(self):
+        """search.csv of a calibration with [adaptive]: a row after each batch with the `points` and `runs` so far, their
+        `core_hours` and the `half_width` of the widest interval of the region over its range (NaN: there was no region); None
+        without one."""
+        path = self.directory / "search.csv"
+        return read_table(path) if path.exists() else None
 
     @property
     def figures(self):

@@ -61,7 +61,7 @@ class Run:
     def figures(self):
         """What was measured: every number of summary.json but those of the computation, by its name in decks
         (`discharged_mass_kg`, `scattering.area_1.count`). None: not measured, or not there to be measured."""
-        computed = ("ranks", "steps", "timestep_s", "restarts", "wall_seconds", "particle_steps_per_second", "timing", "lists",
+        computed = ("ranks", "steps", "time_s", "timestep_s", "restarts", "wall_seconds", "particle_steps_per_second", "timing", "lists",
                     "parallel", "memory", "build", "particles")
         return dict(numbers_in({key: value for key, value in self.summary.items() if key not in computed}))
 

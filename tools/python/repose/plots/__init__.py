@@ -7,9 +7,10 @@
 from repose.plots.course import discharge, energies, walls
 from repose.plots.effects import effects
 from repose.plots.lines import lines
-from repose.plots.plane import plane
+from repose.plots.plane import contours, crossing, plane
+from repose.plots.search import search
 
-__all__ = ["calibration", "discharge", "effects", "energies", "lines", "plane", "walls"]
+__all__ = ["calibration", "contours", "crossing", "discharge", "effects", "energies", "lines", "plane", "search", "walls"]
 
 
 def calibration(study):

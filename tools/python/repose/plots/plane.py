@@ -108,23 +108,39 @@ def draw_meeting(axes, study):
     axes.set(xlim=(surfaces.x[0], surfaces.x[-1]), ylim=(surfaces.y[0], surfaces.y[-1]))
 
 
-def plane(study, title=True, columns=None):
-    """The surfaces of a `Calibration` over two parameters. The marks of runs have the `gid` "run-" and their rows in the grid."""
+def name_axes(axes, study):
+    x, y = study.parameters
+    axes.set(xlabel=words(x), ylabel=words(y))
+
+
+def contours(study, figure):
+    """The surface of one figure of a `Calibration` over two parameters. The marks of runs have the `gid` "run-" and their rows
+    in the grid: "run-4-5"."""
+    observable = next(o for o in study.estimate["observables"] if o["figure"] == figure)
+    drawn, axes = new_figure(figsize=(4.6, 4.2))
+    draw_figure(axes, study, observable)
+    name_axes(axes, study)
+    return drawn
+
+
+def crossing(study):
+    """Where the laboratory's contours of all figures of a `Calibration` over two parameters meet."""
+    drawn, axes = new_figure(figsize=(4.6, 4.2))
+    draw_meeting(axes, study)
+    name_axes(axes, study)
+    return drawn
+
+
+def plane(study):
+    """`contours` of all figures and `crossing` side by side."""
     observables = study.estimate["observables"]
     count = len(observables) + 1
-    columns = columns or count
-    rows = -(-count // columns)
-    figure, panels = new_figure(rows, columns, figsize=(4.6 * columns, 4.4 * rows), sharey=True, squeeze=False)
-    for axes, observable in zip(panels.flat, observables):
+    figure, panels = new_figure(1, count, figsize=(4.6 * count, 4.4), sharey=True)
+    for axes, observable in zip(panels, observables):
         draw_figure(axes, study, observable)
-    draw_meeting(panels.flat[count - 1], study)
-    for axes in panels.flat[count:]:
-        axes.set_visible(False)
-    x, y = study.parameters
-    for axes in panels.flat:
-        axes.set_xlabel(words(x))
-    for row in panels:
-        row[0].set_ylabel(words(y))
-    if title:
-        figure.suptitle(study.estimate["title"], fontsize=11)
+    draw_meeting(panels[-1], study)
+    for axes in panels:
+        name_axes(axes, study)
+        axes.label_outer()
+    figure.suptitle(study.estimate["title"], fontsize=11)
     return figure

@@ -1,0 +1,84 @@
+"""The report of a sensitivity study."""
+
+from repose import plots
+from repose.report import html, numbers, parts, study, svg
+from repose.report.page import Report, Section
+from repose.units import words
+
+
+def matters(effect):
+    """Whether an effect is more than twice its standard error."""
+    error = effect["standard_error"]
+    return effect["effect"] is not None and error is not None and abs(effect["effect"]) > 2.0 * error
+
+
+def answer(found):
+    """Which parameter does most to each figure."""
+    if not found.is_complete:
+        return html.paragraph("There are no effects yet.")
+    lines = ""
+    for figure in found.figures:
+        effects = [e for e in found.effects(figure).values() if matters(e)]
+        effects.sort(key=lambda e: -abs(e["effect"]))
+        told = "; ".join(f"{html.escape(words(e['parameter']))} {numbers.figure(figure, e['effect'], e['standard_error'])}"
+                         for e in effects) or '<span class="none">no effect above two standard errors</span>'
+        lines += html.line(numbers.display(figure)[0], told)
+    return lines + html.paragraph("Effects from the lower to the upper value of a parameter, the others at their fixed values; those of "
+                                  "more than two standard errors, the greatest first.", "none")
+
+
+def sample(figure, found):
+    return numbers.figure(figure, found["mean"], found["deviation"])
+
+
+def tables(found):
+    """All effects of each figure, to be sorted."""
+    text = ""
+    for figure in found.figures:
+        rows = [[html.escape(words(name)), sample(figure, e["lower"]), sample(figure, e["upper"]),
+                 numbers.figure(figure, e["effect"], e["standard_error"])] for name, e in found.effects(figure).items()]
+        walks = found.morris(figure)
+        head = ["parameter", "at the lower value ± deviation", "at the upper value ± deviation", "effect ± standard error"]
+        if walks:
+            head += ["Morris mu* ± standard error", "mu", "sigma"]
+            for row, e in zip(rows, walks.values()):
+                row += [numbers.figure(figure, e["mu_star"], e["mu_star_error"]), numbers.figure(figure, e["mu"], e["mu_error"]),
+                        numbers.figure(figure, e["sigma"])]
+        text += html.element("h3", html.escape(numbers.display(figure)[0]))
+        text += html.picture(svg.of_figure(plots.effects(found, [figure]), f"effects on {figure}"))
+        text += html.table(head, rows, "sortable", numeric=range(1, len(head)))
+    return text
+
+
+def asked(found):
+    deck = found.deck
+    rows = [("base deck", f"<code>{html.escape(deck['base'])}</code>"), ("seeds at each point", html.escape(deck.get("seeds", 1)))]
+    if deck.get("set"):
+        rows.append(("changed for all runs", ", ".join(f"<code>{html.escape(item)}</code>" for item in deck["set"])))
+    if "morris" in deck:
+        rows.append(("walks of Morris", html.escape(", ".join(f"{key} = {value}" for key, value in deck["morris"].items()))))
+    ranges = [[html.escape(words(p["name"])), f"<code>{html.escape(p['key'])}</code>", html.escape(p["min"]), html.escape(p["fixed"]),
+               html.escape(p["max"])] for p in deck["parameter"]]
+    return html.pairs(rows) + html.table(["parameter", "key", "lower", "fixed", "upper"], ranges, numeric=(2, 3, 4))
+
+
+def missing(found):
+    """Figures of which there is no effect at all."""
+    if not found.is_complete:
+        return []
+    return [f"There is no effect on {html.escape(numbers.display(figure)[0])}: runs at the ends of the ranges have none."
+            for figure in found.figures if all(e["effect"] is None for e in found.effects(figure).values())]
+
+
+def report(found):
+    """The `Report` of a `Sensitivity`."""
+    has_runs = (found.directory / "grid.csv").exists()
+    runs = study.Runs(found, found.figures) if has_runs else None
+    sections = [Section("effects", "Effects", tables(found) if found.is_complete else ""),
+                Section("asked", "What was asked", asked(found))]
+    if runs:
+        sections += [Section("runs", "Runs", runs.table()),
+                     Section("boxes", "Each run", runs.boxes(parts.Pictures(), [])),
+                     study.repeat(found, runs, "sensitivity", None)]
+    return Report("sensitivity study", found.title, answer(found), study.state(found, found.is_complete),
+                  missing(found) + (study.warnings(runs) if runs else []), sections)

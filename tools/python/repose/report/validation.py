@@ -1,0 +1,123 @@
+"""The report of a validation."""
+
+import math
+
+from repose import plots
+from repose.report import html, numbers, parts, svg
+from repose.report.page import Report, Section
+
+
+def deviations(comparison):
+    """By how many standard deviations, of the laboratory and of this run together, a figure is off; None without one."""
+    here, error, deviation = comparison["here"], comparison["error"], comparison["deviation"]
+    if here is None or deviation is None:
+        return None
+    total = math.hypot(deviation, error or 0.0)
+    return (here - comparison["laboratory"]) / total if total > 0.0 else None
+
+
+def share(value, comparison):
+    """Difference from the laboratory, in per cent of it."""
+    if value is None or comparison["laboratory"] == 0.0:
+        return '<span class="none">-</span>'
+    percent = 100.0 * (value / comparison["laboratory"] - 1.0)
+    return numbers.data(f"{percent:+.1f} %", percent)
+
+
+def cells(name, comparison):
+    figure, off = comparison["figure"], deviations(comparison)
+    return [html.escape(name), html.escape(numbers.display(figure)[0]),
+            numbers.figure(figure, comparison["laboratory"], comparison["deviation"]),
+            numbers.figure(figure, comparison["published"]), share(comparison["published"], comparison),
+            numbers.figure(figure, comparison["here"], comparison["error"]), share(comparison["here"], comparison),
+            numbers.data(f"{off:+.1f}" if off is not None else "-", off)]
+
+
+def comparisons(found):
+    return [(name, comparison) for name, listed in found.cases.items() for comparison in listed]
+
+
+def answer(found):
+    if not found.is_complete:
+        return html.paragraph("The comparison is made when all cases are complete.")
+    all_of_them = comparisons(found)
+    off = [abs(d) for _, c in all_of_them if (d := deviations(c)) is not None]
+    within = sum(d <= 2.0 for d in off)
+    without = sum(c["here"] is None for _, c in all_of_them)
+    text = html.line("Agreement", f"{within} of {len(off)} figures within two standard deviations of the laboratory" if off else
+                     "the laboratory's deviations are not known")
+    if without:
+        text += html.paragraph(f"{without} of {len(all_of_them)} figures have no value here.")
+    head = ["case", "figure", "laboratory", html.escape(found.result["published"] or "published"), "difference", "here", "difference",
+            "off by, standard deviations"]
+    return text + html.table(head, [cells(*c) for c in all_of_them], "sortable", numeric=range(2, 8))
+
+
+def warnings(found):
+    listed = []
+    for name, run in found.runs.items():
+        if run.is_complete:
+            listed += [f"{html.escape(name)}: {text}" for text in parts.run_warnings(run)]
+    if found.is_complete:
+        for name, c in comparisons(found):
+            if c["here"] is None:
+                listed.append(f"{html.escape(name)} has no {html.escape(numbers.display(c['figure'])[0])}.")
+    return listed
+
+
+def differences(found):
+    """A picture of all figures over the laboratory's, with its deviations."""
+    from repose.plots.style import WIDTH, new_figure
+    shown = [(name, c) for name, c in comparisons(found) if c["here"] is not None and c["laboratory"]]
+    if not shown:
+        return ""
+    figure, axes = new_figure(figsize=(1.4 * WIDTH, 0.9 + 0.36 * len(shown)))
+    for place, (_, c) in enumerate(shown):
+        over = 100.0 / abs(c["laboratory"])
+        here, error = (c["here"] - c["laboratory"]) * over, (c["error"] or 0.0) * over
+        axes.barh(place, 2.0 * (c["deviation"] or 0.0) * over, left=-(c["deviation"] or 0.0) * over, color="0.85", height=0.6,
+                  label=None if place else "laboratory ± deviation")
+        axes.errorbar(here, place, xerr=error, fmt="o", color="tab:blue", capsize=3, label=None if place else "here ± standard error")
+        if c["published"] is not None:
+            axes.plot((c["published"] - c["laboratory"]) * over, place, "D", color="tab:orange", markersize=4,
+                      label=None if place else found.result["published"] or "published")
+    axes.axvline(0.0, color="black", linewidth=0.8)
+    axes.set_yticks(range(len(shown)), [f"{name}: {numbers.display(c['figure'])[0]}" for name, c in shown], fontsize=8)
+    axes.invert_yaxis()
+    axes.set_xlabel("difference from the laboratory, %")
+    axes.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, 1.0 + 0.5 / (0.9 + 0.36 * len(shown))), ncols=3, frameon=False)
+    return html.picture(svg.of_figure(figure, "differences from the laboratory"))
+
+
+def case_html(name, run, pictures):
+    """One case: how far it is, its figures, pictures and course."""
+    text = html.element("h3", html.escape(name))
+    if not run.is_complete:
+        return text + parts.run_state(run)
+    return (text + pictures.of_run(run) + parts.course(run, plots) +
+            html.details("all figures", parts.figures_table(run), id_=f"case-{name}"))
+
+
+def state(found):
+    if found.is_complete:
+        return ""
+    runs = found.runs
+    done = sum(run.is_complete for run in runs.values())
+    return html.paragraph(f"Not complete: {done} of {len(runs)} cases that have begun are done. There is no comparison yet.")
+
+
+def repeat(found):
+    runs = {name: run for name, run in found.runs.items() if run.is_complete}
+    build = found.result["build"] if found.is_complete else next((run.summary["build"] for run in runs.values()), {})
+    rows = [(f"hash of {html.escape(name)}", f"<code>{run.summary['state_hash']}</code>, {numbers.duration(run.summary['wall_seconds'])} on "
+             f"{run.summary['ranks']} ranks") for name, run in runs.items()]
+    commands = [parts.command_line("repose", "run", f"{name}/deck.resolved.toml", "--output", f"again/{name}") for name in found.runs]
+    return parts.repeat(build, commands, [(f"{name}/deck.resolved.toml", run.deck_text) for name, run in found.runs.items()], rows)
+
+
+def report(found):
+    """The `Report` of a `Validation`."""
+    pictures = parts.Pictures()
+    sections = [Section("differences", "Differences from the laboratory", differences(found) if found.is_complete else ""),
+                Section("cases", "Cases", "".join(case_html(name, run, pictures) for name, run in found.runs.items())), repeat(found)]
+    return Report("validation", found.title, answer(found), state(found), warnings(found), sections)

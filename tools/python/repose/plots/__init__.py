@@ -5,12 +5,13 @@
 """
 
 from repose.plots.course import discharge, energies, walls
-from repose.plots.effects import effects
+from repose.plots.effects import effect, effects
 from repose.plots.lines import lines
 from repose.plots.plane import contours, crossing, plane
 from repose.plots.search import search
 
-__all__ = ["calibration", "contours", "crossing", "discharge", "effects", "energies", "lines", "plane", "search", "walls"]
+__all__ = ["calibration", "contours", "crossing", "discharge", "effect", "effects", "energies", "lines", "plane", "search",
+           "walls"]
 
 
 def calibration(study):

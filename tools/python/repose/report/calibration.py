@@ -8,9 +8,9 @@ from repose.units import words
 SHOWN = 3  # runs nearest the answer whose pictures are open
 
 
-def interval_text(interval):
+def interval_text(interval, error):
     below, above = ("below " if interval["open_below"] else ""), ("above " if interval["open_above"] else "")
-    return (f"{below}{numbers.number('lower', interval['lower'])} to {above}{numbers.number('upper', interval['upper'])}")
+    return f"{below}{numbers.beside('lower', interval['lower'], error)} to {above}{numbers.beside('upper', interval['upper'], error)}"
 
 
 def point_lines(estimate, point):
@@ -18,7 +18,7 @@ def point_lines(estimate, point):
     share = f"{100 * estimate['confidence']:.0f} % region"
     intervals = estimate["parts"][point["part"]]["intervals"]
     return "".join(html.line(words(p["name"]), f"{numbers.number(p['name'], value, error)} "
-                             f"<small>{share} {interval_text(interval)}</small>")
+                             f"<small>{share} {interval_text(interval, error)}</small>")
                    for p, value, error, interval in zip(estimate["parameters"], point["values"], point["standard_errors"], intervals))
 
 
@@ -70,19 +70,23 @@ def asked(found):
     return html.pairs(rows) + html.table(["parameter", "key", "values or range"], ranges) + laboratory(found)
 
 
+def as_written(figure, value):
+    """A number of a deck, or its text with a unit."""
+    return numbers.figure(figure, value) if isinstance(value, (int, float)) else html.escape(value)
+
+
 def laboratory(found):
     """What the laboratory has found, and what the runs say of it."""
     if not found.is_complete:
-        rows = [[html.escape(numbers.display(o["figure"])[0]), html.escape(o["laboratory"]), html.escape(o.get("deviation", ""))]
-                for o in found.deck["observable"]]
+        rows = [[html.escape(numbers.display(o["figure"])[0]), as_written(o["figure"], o["laboratory"]),
+                 as_written(o["figure"], o.get("deviation", ""))] for o in found.deck["observable"]]
         return html.table(["figure", "laboratory", "deviation"], rows)
     rows = []
     for o in found.estimate["observables"]:
-        off, discrepancy = o["nearest_off_by"], o.get("discrepancy")
         rows.append([html.escape(numbers.display(o["figure"])[0]), numbers.figure(o["figure"], o["laboratory"], o["standard_error"]),
-                     numbers.figure(o["figure"], o["deviation"]), numbers.data(str(o["repeats"]), o["repeats"]),
-                     numbers.figure(o["figure"], discrepancy) if discrepancy else "", numbers.data(str(o["runs"]), o["runs"]),
-                     numbers.data(f"{off:+.2f}" if off is not None else "none", off)])
+                     numbers.figure(o["figure"], o["deviation"], digits=2), numbers.data(str(o["repeats"]), o["repeats"]),
+                     numbers.figure(o["figure"], o.get("discrepancy", 0.0), digits=2), numbers.data(str(o["runs"]), o["runs"]),
+                     numbers.signed(o["nearest_off_by"])])
     head = ["figure", "laboratory ± standard error", "deviation", "repeats", "discrepancy of the model", "runs that have it",
             "nearest point off by, standard deviations"]
     return html.table(head, rows, numeric=range(1, 7))

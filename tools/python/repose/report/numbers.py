@@ -51,19 +51,30 @@ def data(text, value, title=""):
     """A text with the number of the file behind it."""
     if not is_number(value):
         return f'<span class="none">{escape(text)}</span>'
+    text = "−" + text[1:] if text.startswith("-") else text
     hover = f' title="{escape(title)}"' if title else ""
     return f'<data value="{value!r}"{hover}>{escape(text)}</data>'
 
 
-def figure(name, value, error=None, with_unit=True):
-    """A figure in the unit that a person reads, for HTML."""
+def figure(name, value, error=None, with_unit=True, digits=4):
+    """A figure in the unit that a person reads, for HTML; `digits` counts where there is no error."""
     _, unit, factor = display(name)
     scaled = factor * value if is_number(value) else None
     if isinstance(value, int):
         scaled = value
-    text = with_error(scaled, factor * error if is_number(error) else None)
+    text = with_error(scaled, factor * error) if is_number(error) and error > 0.0 else plain(scaled, digits)
     title = f"{name} = {value!r}" + (f", standard error {error!r}" if is_number(error) else "")
     return data(text + (f" {unit}" if with_unit and unit and is_number(value) else ""), value, title)
+
+
+def signed(value, digits=2):
+    """With its sign and so many decimals."""
+    return data(f"{round(value, digits) + 0.0:+.{digits}f}" if is_number(value) else "none", value)
+
+
+def beside(name, value, error):
+    """A number to as many digits as one with this error has, without it."""
+    return data(with_error(value, error).split(" ±")[0].lstrip("("), value, f"{name} = {value!r}")
 
 
 def number(name, value, error=None):

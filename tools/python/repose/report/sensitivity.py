@@ -16,19 +16,19 @@ def answer(found):
     """Which parameter does most to each figure."""
     if not found.is_complete:
         return html.paragraph("There are no effects yet.")
-    lines = ""
+    rows = []
     for figure in found.figures:
         effects = [e for e in found.effects(figure).values() if matters(e)]
         effects.sort(key=lambda e: -abs(e["effect"]))
-        told = "; ".join(f"{html.escape(words(e['parameter']))} {numbers.figure(figure, e['effect'], e['standard_error'])}"
-                         for e in effects) or '<span class="none">no effect above two standard errors</span>'
-        lines += html.line(numbers.display(figure)[0], told)
-    return lines + html.paragraph("Effects from the lower to the upper value of a parameter, the others at their fixed values; those of "
+        told = "<br/>".join(f"{html.escape(words(e['parameter']))} <b>{numbers.figure(figure, e['effect'], e['standard_error'])}</b>"
+                            for e in effects) or '<span class="none">no effect above two standard errors</span>'
+        rows.append((html.escape(numbers.display(figure)[0]), told))
+    return html.pairs(rows) + html.paragraph("Effects from the lower to the upper value of a parameter, the others at their fixed values; those of "
                                   "more than two standard errors, the greatest first.", "none")
 
 
 def sample(figure, found):
-    return numbers.figure(figure, found["mean"], found["deviation"])
+    return numbers.figure(figure, found["mean"], found["deviation"], with_unit=False)
 
 
 def tables(found):
@@ -36,18 +36,21 @@ def tables(found):
     text = ""
     for figure in found.figures:
         rows = [[html.escape(words(name)), sample(figure, e["lower"]), sample(figure, e["upper"]),
-                 numbers.figure(figure, e["effect"], e["standard_error"])] for name, e in found.effects(figure).items()]
+                 numbers.figure(figure, e["effect"], e["standard_error"], with_unit=False)] for name, e in found.effects(figure).items()]
         walks = found.morris(figure)
-        head = ["parameter", "at the lower value ± deviation", "at the upper value ± deviation", "effect ± standard error"]
+        head = ["parameter", "at the lower value", "at the upper value", "effect"]
         if walks:
-            head += ["Morris mu* ± standard error", "mu", "sigma"]
+            head += ["Morris mu*", "mu", "sigma"]
             for row, e in zip(rows, walks.values()):
-                row += [numbers.figure(figure, e["mu_star"], e["mu_star_error"]), numbers.figure(figure, e["mu"], e["mu_error"]),
-                        numbers.figure(figure, e["sigma"])]
-        text += html.element("h3", html.escape(numbers.display(figure)[0]))
-        text += html.picture(svg.of_figure(plots.effects(found, [figure]), f"effects on {figure}"))
+                row += [numbers.figure(figure, e["mu_star"], e["mu_star_error"], with_unit=False),
+                        numbers.figure(figure, e["mu"], e["mu_error"], with_unit=False),
+                        numbers.figure(figure, e["sigma"], with_unit=False, digits=2)]
+        text += html.element("h3", html.escape(numbers.quantity(figure)))
+        if any(e["effect"] is not None for e in found.effects(figure).values()):
+            kinds = ["one_at_a_time", "morris"] if walks else ["one_at_a_time"]
+            text += html.gallery([html.picture(svg.of_figure(plots.effect(found, figure, kind), f"effects on {figure}")) for kind in kinds])
         text += html.table(head, rows, "sortable", numeric=range(1, len(head)))
-    return text
+    return text + html.paragraph("± of values is their standard deviation from seed to seed, of effects the standard error.", "none")
 
 
 def asked(found):

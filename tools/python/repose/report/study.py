@@ -88,8 +88,16 @@ def state(study, is_current):
     ended = total - open_runs
     counts = ", ".join(f"{count} {name}" for name, count in states.items() if count)
     text = f"Not complete: {ended} of {total} runs have ended ({counts}), as of {written}."
-    text += "" if study.is_complete else " There is no result yet."
+    if not study.is_complete:
+        text += " There is no result yet." if open_runs else (" There is no result: a search may still be deciding on its next points, or "
+                                                              "too few runs have the figures; <code>repose estimate</code> says which.")
     return parts.progress_bar(ended / total if total else 0.0, text)
+
+
+def links(rows, most=12):
+    """To runs, by their numbers."""
+    shown = ", ".join(f'<a href="#run-{row}">{row + 1}</a>' for row in rows[:most])
+    return shown + (f" and {len(rows) - most} more" if len(rows) > most else "")
 
 
 def warnings(runs):
@@ -100,13 +108,11 @@ def warnings(runs):
             found.append(f'<a href="#run-{row}">Run {row + 1}</a> failed: {html.escape(grid["reason"][row])}')
     plugged = [row for row in range(grid.rows) if grid["state"][row] == "plugged"]
     if plugged:
-        links = ", ".join(f'<a href="#run-{row}">{row + 1}</a>' for row in plugged[:20])
-        more = f" and {len(plugged) - 20} more" if len(plugged) > 20 else ""
-        found.append(f"{len(plugged)} of {grid.rows} runs plugged: {links}{more}. They count for masses and for no other figure.")
+        found.append(f"{len(plugged)} of {grid.rows} runs plugged: {links(plugged)}. They count for masses and for no other figure.")
     for figure in runs.figures:
         without = [row for row in range(grid.rows) if grid["state"][row] == "done" and runs.value(row, figure)[0] is None]
         if without:
-            found.append(f"{len(without)} runs that are done have no {html.escape(numbers.display(figure)[0])}.")
+            found.append(f"No {html.escape(numbers.display(figure)[0])} in {len(without)} of the runs that are done: {links(without)}.")
     return found
 
 

@@ -26,11 +26,11 @@ def share(value, comparison):
 
 def cells(name, comparison):
     figure, off = comparison["figure"], deviations(comparison)
-    return [html.escape(name), html.escape(numbers.display(figure)[0]),
-            numbers.figure(figure, comparison["laboratory"], comparison["deviation"]),
-            numbers.figure(figure, comparison["published"]), share(comparison["published"], comparison),
-            numbers.figure(figure, comparison["here"], comparison["error"]), share(comparison["here"], comparison),
-            numbers.data(f"{off:+.1f}" if off is not None else "-", off)]
+    return [html.escape(name), html.escape(numbers.quantity(figure)),
+            numbers.figure(figure, comparison["here"], comparison["error"], with_unit=False),
+            numbers.figure(figure, comparison["laboratory"], comparison["deviation"], with_unit=False),
+            share(comparison["here"], comparison), numbers.signed(off, 1) if off is not None else '<span class="none">-</span>',
+            numbers.figure(figure, comparison["published"], with_unit=False), share(comparison["published"], comparison)]
 
 
 def comparisons(found):
@@ -44,13 +44,14 @@ def answer(found):
     off = [abs(d) for _, c in all_of_them if (d := deviations(c)) is not None]
     within = sum(d <= 2.0 for d in off)
     without = sum(c["here"] is None for _, c in all_of_them)
-    text = html.line("Agreement", f"{within} of {len(off)} figures within two standard deviations of the laboratory" if off else
-                     "the laboratory's deviations are not known")
+    text = html.paragraph(f"{within} of {len(off)} figures are within two standard deviations of the laboratory" if off else
+                          "The laboratory's deviations are not known", "large")
     if without:
         text += html.paragraph(f"{without} of {len(all_of_them)} figures have no value here.")
-    head = ["case", "figure", "laboratory", html.escape(found.result["published"] or "published"), "difference", "here", "difference",
-            "off by, standard deviations"]
-    return text + html.table(head, [cells(*c) for c in all_of_them], "sortable", numeric=range(2, 8))
+    head = ["case", "figure", "here", "laboratory", "difference", "off by, σ",
+            html.escape(found.result["published"] or "published"), "difference"]
+    return text + html.table(head, [cells(*c) for c in all_of_them], "sortable", numeric=range(2, 8)) + html.paragraph(
+        "± of the laboratory is its standard deviation, ± here the standard error within the run; σ is both together.", "none")
 
 
 def warnings(found):
@@ -60,7 +61,7 @@ def warnings(found):
             listed += [f"{html.escape(name)}: {text}" for text in parts.run_warnings(run)]
     if found.is_complete:
         for name, c in comparisons(found):
-            if c["here"] is None:
+            if c["here"] is None and not c["figure"].startswith("angle_of_repose"):  # which the run's own warnings explain
                 listed.append(f"{html.escape(name)} has no {html.escape(numbers.display(c['figure'])[0])}.")
     return listed
 
@@ -71,21 +72,20 @@ def differences(found):
     shown = [(name, c) for name, c in comparisons(found) if c["here"] is not None and c["laboratory"]]
     if not shown:
         return ""
-    figure, axes = new_figure(figsize=(1.4 * WIDTH, 0.9 + 0.36 * len(shown)))
-    for place, (_, c) in enumerate(shown):
+    figure, axes = new_figure(figsize=(WIDTH, 1.0 + 0.5 * len(shown)))
+    for place, (name, c) in enumerate(shown):
         over = 100.0 / abs(c["laboratory"])
         here, error = (c["here"] - c["laboratory"]) * over, (c["error"] or 0.0) * over
-        axes.barh(place, 2.0 * (c["deviation"] or 0.0) * over, left=-(c["deviation"] or 0.0) * over, color="0.85", height=0.6,
+        axes.barh(place, 2.0 * (c["deviation"] or 0.0) * over, left=-(c["deviation"] or 0.0) * over, color="0.85", height=0.35,
                   label=None if place else "laboratory ± deviation")
         axes.errorbar(here, place, xerr=error, fmt="o", color="tab:blue", capsize=3, label=None if place else "here ± standard error")
         if c["published"] is not None:
             axes.plot((c["published"] - c["laboratory"]) * over, place, "D", color="tab:orange", markersize=4,
                       label=None if place else found.result["published"] or "published")
+        axes.text(0.01, place - 0.36, f"{name}: {numbers.display(c['figure'])[0]}", fontsize=8, transform=axes.get_yaxis_transform())
     axes.axvline(0.0, color="black", linewidth=0.8)
-    axes.set_yticks(range(len(shown)), [f"{name}: {numbers.display(c['figure'])[0]}" for name, c in shown], fontsize=8)
-    axes.invert_yaxis()
-    axes.set_xlabel("difference from the laboratory, %")
-    axes.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, 1.0 + 0.5 / (0.9 + 0.36 * len(shown))), ncols=3, frameon=False)
+    axes.set(yticks=[], ylim=(len(shown) - 0.5, -0.75), xlabel="difference from the laboratory, %")
+    axes.legend(fontsize=7, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, frameon=False)
     return html.picture(svg.of_figure(figure, "differences from the laboratory"))
 
 

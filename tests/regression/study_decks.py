@@ -34,4 +34,4 @@ laboratory = 30.0
 
 def head(base, title="in small"):
     """What the file of a study begins with."""
-    return f'title = "{title}"\nbase = "{base}"\nseeds = 2\nset = {json.dumps(REDUCED)}\n'
+    return f'title = {json.dumps(title)}\nbase = "{base}"\nseeds = 2\nset = {json.dumps(REDUCED)}\n'

@@ -5,7 +5,7 @@ import pathlib
 
 from repose.contacts import Contacts
 from repose.files import ReposeError, Table, number_in, read_json, read_rows, read_table, read_text, read_toml
-from repose.snapshot import Snapshot
+from repose.snapshot import Snapshot, build_of
 
 PICTURES = ("silhouette", "top_view")
 
@@ -133,10 +133,23 @@ class Run:
         return min(snapshots, key=lambda snapshot: abs(snapshot.time_s - time_s))
 
     @property
+    def checkpoint_paths(self):
+        """Of the checkpoints, in the order of time; none when the run is complete."""
+        return sorted(self.directory.glob("checkpoint_*.hdf"), key=lambda path: int(path.stem.split("_")[1]))
+
+    @property
     def contacts(self):
         """`Contacts` of the newest checkpoint; None without one, as when the run is complete."""
-        paths = sorted(self.directory.glob("checkpoint_*.hdf"), key=lambda path: int(path.stem.split("_")[1]))
+        paths = self.checkpoint_paths
         return Contacts(paths[-1]) if paths else None
+
+    @property
+    def build(self):
+        """Version, commit, compiler and so on of the program, as the newest file says that does; empty when none does yet."""
+        if self.is_complete:
+            return self.summary["build"]
+        paths = (self.checkpoint_paths or self.snapshot_paths)[-1:]
+        return build_of(paths[0]) if paths else {}
 
     def picture(self, name, ending="svg"):
         """The path of `silhouette` or `top_view`, as `svg`, `png` or `pdf`; None when the run has made none."""

@@ -17,6 +17,12 @@ def open_hdf5(path):
         raise ReposeError(f"{path}: cannot be read: {error}") from None
 
 
+def build_of(path):
+    """Version, commit and so on of the program that wrote an HDF5 file."""
+    with open_hdf5(path) as file:
+        return {name[6:]: str(value) for name, value in file.attrs.items() if name.startswith("build_")}
+
+
 def array(name, meaning):
     return property(lambda self: self[name], doc=meaning)
 
@@ -105,4 +111,4 @@ class Snapshot:
     @property
     def build(self):
         """Version, commit, compiler and so on of the program that wrote it."""
-        return {name[6:]: str(value) for name, value in self._attributes.items() if name.startswith("build_")}
+        return build_of(self.path)

@@ -45,7 +45,7 @@ def draw_cheap_level(axes, study, figure):
         return
     name = study.levels[0]
     if figure is None:
-        if (alone.misfit <= alone.limit).any():
+        if alone.misfit.min() <= alone.limit < alone.misfit.max():
             axes.contour(alone.x, alone.y, alone.misfit, levels=[alone.limit], colors=[CHEAP], linewidths=1.0, linestyles=":")
             axes.plot([], [], ":", color=CHEAP, label=f"region of {name} alone")
         return
@@ -66,7 +66,7 @@ def draw_laboratory(axes, surfaces, observable, factor, colour=LABORATORY):
 
 def draw_region(axes, study):
     surfaces, estimate = study.surfaces, study.estimate
-    if (surfaces.misfit <= surfaces.limit).any():
+    if surfaces.misfit.min() <= surfaces.limit < surfaces.misfit.max():
         axes.contour(surfaces.x, surfaces.y, surfaces.misfit, levels=[surfaces.limit], colors=[REGION], linewidths=1.5)
         axes.plot([], [], color=REGION, label=f"{100 * estimate['confidence']:.0f} % region")
     for n, point in enumerate(estimate["points"]):

@@ -58,14 +58,12 @@ def cost(run):
 
 def repeat(run):
     """Commands that do the run again, with its deck."""
+    ranks, rows = 1, []
     if run.is_complete:
-        build, ranks, rows = run.summary["build"], run.summary["ranks"], [("hash of the state", f"<code>{run.summary['state_hash']}</code>")]
-    else:
-        paths = run.snapshots
-        build, ranks, rows = paths[-1].build if paths else {}, 1, []
+        ranks, rows = run.summary["ranks"], [("hash of the state", f"<code>{run.summary['state_hash']}</code>"), ("ranks", str(run.summary["ranks"]))]
     launcher = ["mpirun", "-n", ranks] if ranks > 1 else []
-    commands = [parts.command_line(*launcher, "repose", "run", "deck.resolved.toml", "--output", run.directory.name or "run")]
-    return parts.repeat(build, commands, [("deck.resolved.toml", run.deck_text)], rows)
+    commands = [parts.command_line(*launcher, "repose", "run", "deck.resolved.toml", "--output", run.directory.resolve().name)]
+    return parts.repeat(run.build, commands, [("deck.resolved.toml", run.deck_text)], rows)
 
 
 def report(run):

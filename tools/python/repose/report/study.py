@@ -122,8 +122,8 @@ def repeat(study, runs, command, nearest):
     build = complete[0].summary["build"] if complete else {}
     ranks = max((run.summary["ranks"] for run in complete), default=1)
     seconds = sum(run.summary["wall_seconds"] * run.summary["ranks"] for run in complete)
-    rows = [("processor time", f"{numbers.duration(seconds)} of all runs together, each on up to {ranks} ranks")]
-    name = study.directory.name or "results"
+    rows = [("processor time", f"{numbers.duration(seconds)} of all runs together"), ("ranks of a run", f"at most {ranks}")]
+    name = study.directory.resolve().name
     commands = [parts.command_line("mpirun", "-n", max(2, ranks), "repose", command, study.deck_file, "--output", name)]
     decks = [(study.deck_file + f" (its base is {study.deck['base']}, relative to where it was)", study.deck_text)]
     if nearest:

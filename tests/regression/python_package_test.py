@@ -233,6 +233,7 @@ class Package(unittest.TestCase):
         self.assertEqual(len(nearest), calibration.states["done"])
         self.assertLess(off[0], off[1])
         self.assertEqual((calibration.levels, calibration.first_level_surfaces), ([], None))
+        self.assertIsNone(calibration.search)
         marks = {line.get_gid() for axes in repose.plots.calibration(calibration).axes for line in axes.lines}
         self.assertLessEqual({f"run-{row}-{row + 1}" for row in range(0, len(rows), 2)}, marks)
         os.remove(os.path.join(output, "estimate.json"))
@@ -243,6 +244,12 @@ class Package(unittest.TestCase):
         calibration = repose.Calibration(output)
         self.assertEqual(calibration.levels, ["small", "large"])
         self.assertEqual(len(calibration.first_level_surfaces.x), len(calibration.surfaces.x))
+        search = calibration.search
+        self.assertEqual(search["runs"][-1], calibration.grid.rows)
+        self.assertAlmostEqual(search["core_hours"][-1], sum(level["core_hours"] for level in calibration.estimate["levels"]), 12)
+        last, half_width = search["half_width"][-1], calibration.estimate["half_width"]
+        self.assertTrue(last == half_width or (half_width is None and last != last), (last, half_width))
+        self.assertGreater(len(repose.plots.search(calibration).axes[0].lines[0].get_xdata()), 1)
         for folder, level in zip(calibration.folders, calibration.grid["level"]):
             self.assertEqual(repose.Run(folder).deck["particles"][0]["mass"], {"small": 2e-5, "large": 3e-5}[level])
         self.assertTrue(all(calibration.grid["level"][row] == "large" for row in calibration.nearest_runs))

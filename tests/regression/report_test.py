@@ -6,6 +6,7 @@ Usage: report_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -189,7 +190,10 @@ class Report(unittest.TestCase):
                 self.assertIn((link["rho"], link["rho_standard_error"]), page.titled("levels")["rho"])
         self.assertIn("small alone", page.words("levels"))
         self.assertIn("without the discrepancy", page.words("levels"))
-        self.assertIn("search", page.ids)
+        from repose import Calibration
+        search = Calibration(output).search
+        self.assertLessEqual({v for v in search["half_width"] if v == v} | set(search["core_hours"]), set(page.values("search")))
+        self.assertIn("convergence of the search", [node.get("aria-label") for node in page.section("search").iter("svg")])
 
     def test_a_sensitivity_study(self):
         output = self.study("sensitivity", head(self.base) + MORRIS)
@@ -228,6 +232,37 @@ class Report(unittest.TestCase):
             self.assertEqual(numbers.with_error(value, error), text)
         self.assertIn('value="0.000271"', numbers.figure("discharged_mass_kg", 0.000271))
         self.assertIn(">0.2710 g<", numbers.figure("discharged_mass_kg", 0.000271))
+
+    def test_the_command(self):
+        output, path = self.path(self.id()), self.path("by_command.html")
+        self.program.run(self.base, output, *REDUCED)
+        env = {"REPOSE_PYTHON": sys.executable}
+        done = self.program.call("report", output, "--output", path, env=env)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, path + "\n", ""))
+        done = self.program.call("report", output, env=env, ranks=2)  # once, by rank 0
+        self.assertEqual((done.returncode, done.stdout), (0, os.path.join(output, "report.html") + "\n"), done.stderr)
+        texts = []
+        for name in (path, os.path.join(output, "report.html")):
+            with open(name, encoding="utf-8") as file:
+                texts.append(re.sub(r"Made by.*?</footer>", "", file.read()))
+        self.assertEqual(texts[0], texts[1])
+        bare = self.path("bare_python")
+        with open(bare, "w") as file:
+            file.write(f'#!/bin/sh\nexec {sys.executable} -S "$@"\n')
+        os.chmod(bare, 0o755)
+        lonely = self.path("lonely")
+        shutil.copy(self.program.executable, lonely)
+        for program, python, arguments, code, message in (
+                (self.program.executable, sys.executable, [self.folder + "/absent"], 4, "absent: is no directory"),
+                (self.program.executable, bare, [output], 4, "report needs the Python module numpy; install it"),
+                (self.program.executable, self.path("nopython"), [output], 4, "nopython cannot be started; install python3"),
+                (self.program.executable, sys.executable, [output, "--output", self.path("none/x.html")], 4, "x.html: cannot be written"),
+                (self.program.executable, sys.executable, [], 2, "DIR is required"),
+                (lonely, sys.executable, [output], 4, "the Python package is not beside it")):
+            done = subprocess.run([program, "report", *arguments], capture_output=True, text=True,
+                                  env={**os.environ, "REPOSE_PYTHON": python})
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertRegex(done.stderr, f"^repose: .*{message}.*\n$")
 
     def test_what_cannot_be_reported_is_one_line(self):
         from repose import report

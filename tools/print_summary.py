@@ -18,6 +18,7 @@ def measured(run):
     """Pairs of a figure's name and its printed value: every figure with a unit and a value, with its error."""
     for key, value in run.figures.items():
         name, unit, scale = display(key)
+        unit = unit.replace("degrees", "deg")
         if not unit or "." in key or key == "time_s" or "_stderr" in key or value is None:
             continue
         error = run.error(key)

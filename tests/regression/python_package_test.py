@@ -31,7 +31,6 @@ class Package(unittest.TestCase):
         sys.path.insert(0, os.path.join(cls.program.source, "tools", "python"))
         global repose
         import repose
-        import repose.plots
         overrides = dict(text.split("=", 1) for text in REDUCED)
         overrides |= {"output.snapshot_interval": 0.01, "run.seed": 3, "wall.vessel.points": [[0.004, 0.04], [0.004, 0.0],
                                                                                             [0.00175, 0.0]]}

@@ -20,6 +20,8 @@ cannot be read or run raises `ReposeError` with one line.
 Needs numpy; h5py for snapshots and contacts, matplotlib for `repose.plots`, pandas for `Table.frame()` alone.
 """
 
+import importlib
+
 from repose.calibration import Calibration, Surfaces
 from repose.contacts import Contacts
 from repose.directory import open_directory as open
@@ -32,3 +34,10 @@ from repose.validation import Validation
 
 __all__ = ["Calibration", "Contacts", "ReposeError", "Run", "Sensitivity", "Snapshot", "Surfaces", "Table", "Validation",
            "calibrate", "find_program", "open", "run", "validate"]
+
+
+def __getattr__(name):
+    """`repose.plots` and `repose.report` are imported when they are asked for: with them comes matplotlib."""
+    if name in ("plots", "report"):
+        return importlib.import_module(f"repose.{name}")
+    raise AttributeError(f"module 'repose' has no attribute '{name}'")

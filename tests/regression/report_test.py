@@ -14,7 +14,7 @@ import unittest
 import xml.etree.ElementTree as tree
 
 from repose_runs import Program
-from study_decks import CASE, GRID, MORRIS, REDUCED, SEARCH, head
+from study_decks import CASE, GRID, MASS, MORRIS, REDUCED, SEARCH, SLIDING, head
 
 sys.dont_write_bytecode = True
 MOST_BYTES = 5_000_000
@@ -175,9 +175,31 @@ class Report(unittest.TestCase):
         page = self.page(output)
         self.assertIn(f"Not complete: {len(rest) + 2} of {len(rest) + 3} runs have ended", page.text)
         self.assertIn("Run 1 failed: step 8: <b>too deep</b>, & more", page.words("warnings"))
+        self.assertIn("run-0", [node.get("href", "")[1:] for node in page.section("warnings").iter("a")])
         self.assertIn("runs plugged: ", page.words("warnings"))
         self.assertIn("There is no estimate yet.", page.words("answer"))
         self.assertNotIn("surfaces", page.ids)
+
+    def test_a_study_of_very_many_runs(self):
+        """The table has all of them; boxes, which cost most, stand for those that matter most."""
+        from repose.report import study
+        before, study.MOST_BOXES = study.MOST_BOXES, 4
+        self.addCleanup(setattr, study, "MOST_BOXES", before)
+        page = self.page(self.study("calibrate", head(self.base) + GRID))
+        boxes = [name for name in page.ids if name.startswith("run-")]
+        self.assertEqual(len(boxes), 4)
+        from repose import Calibration
+        nearest = Calibration(self.path(self.id())).nearest_runs[:4]
+        self.assertEqual(set(boxes), {f"run-{row}" for row in nearest})
+        self.assertEqual(len(page.section("runs").findall(".//tbody/tr")), 12)
+        marks = [node for node in page.section("surfaces").iter("a") if node.get("class") == "run"]
+        self.assertEqual({node.get("href") is None for node in marks}, {True, False})
+
+    def test_a_calibration_of_one_parameter(self):
+        page = self.page(self.study("calibrate", head(self.base) + SLIDING + "values = [0.1, 0.2, 0.3, 0.4]\n" + MASS))
+        pictures = [node.get("aria-label") for node in page.section("surfaces").iter("svg")]
+        self.assertEqual(pictures, ["discharged_mass_kg over sliding"])
+        self.assertEqual(sum(node.get("class") == "run" for node in page.section("surfaces").iter("a")), 8)
 
     def test_a_search_over_levels(self):
         output = self.study("calibrate", head(self.base) + SEARCH)

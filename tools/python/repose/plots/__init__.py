@@ -6,11 +6,11 @@
 
 from repose.plots.course import discharge, energies, walls
 from repose.plots.effects import effect, effects
-from repose.plots.lines import lines
+from repose.plots.lines import line, lines
 from repose.plots.plane import contours, crossing, plane
 from repose.plots.search import search
 
-__all__ = ["calibration", "contours", "crossing", "discharge", "effect", "effects", "energies", "lines", "plane", "search",
+__all__ = ["calibration", "contours", "crossing", "discharge", "effect", "effects", "energies", "line", "lines", "plane", "search",
            "walls"]
 
 

@@ -7,6 +7,7 @@ from repose.units import prefixed
 
 ENERGIES = (("gravitational", "gravitational, above its least"), ("translational", "kinetic, translation"),
             ("rotational", "kinetic, rotation"), ("elastic", "elastic, contacts"))
+MOST_STEPS = 1000  # of the rate: a picture shows no more
 
 
 def weight_of_grains(run):
@@ -50,7 +51,7 @@ def over_time(axes, series):
 
 @styled
 def discharge(run):
-    """The mass below the orifice, what left through each exit, and the rate between two rows."""
+    """The mass below the orifice, what left through each exit, and the rate between two rows; of long series between every few."""
     series = run.series
     if series is None or series.rows < 2:
         return None
@@ -61,10 +62,11 @@ def discharge(run):
         return None
     factor, unit = (1e3, "g") if max(series[name].max() for name, _ in curves) >= 1e-5 else (1e6, "mg")
     figure, (above, below) = new_figure(2, 1, sharex=True, figsize=(WIDTH, 1.35 * HEIGHT), height_ratios=(3, 2))
+    step = -(-series.rows // MOST_STEPS)
     for name, label in curves:
         above.plot(series["time_s"], factor * series[name], label=label)
-        rate = factor * np.diff(series[name]) / np.diff(series["time_s"])
-        below.stairs(rate, series["time_s"], label=label, linewidth=1.0)
+        time, mass = series["time_s"][::step], factor * series[name][::step]
+        below.stairs(np.diff(mass) / np.diff(time), time, label=label, linewidth=1.0)
     above.set_ylabel(f"mass, {unit}")
     below.set_ylabel(f"rate, {unit}/s")
     for axes in (above, below):

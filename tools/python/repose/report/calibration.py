@@ -99,8 +99,10 @@ def surfaces(found, runs):
     note = html.paragraph("Marks are runs: point at one for its figures, follow it to its pile. Dashed is the laboratory's value with a "
                           "band of two standard errors, red the region.", "none")
     if found.surfaces is None:
-        return note + html.picture(svg.of_figure(plots.lines(found), "runs over each parameter", runs.text))
-    shown = [html.picture(svg.of_figure(plots.contours(found, figure), f"contours of {figure}", runs.text)) for figure in found.figures]
+        return note + html.gallery([html.picture(svg.of_figure(plots.line(found, figure, parameter), f"{figure} over {parameter}", runs.text,
+                                                            runs.has_box))
+                                    for figure in found.figures for parameter in found.parameters])
+    shown = [html.picture(svg.of_figure(plots.contours(found, figure), f"contours of {figure}", runs.text, runs.has_box)) for figure in found.figures]
     return note + html.gallery([*shown, html.picture(svg.of_figure(plots.crossing(found), "where they meet"))])
 
 
@@ -146,8 +148,9 @@ def pictures_of_nearest(found, runs, pictures, rows):
 def report(found):
     """The `Report` of a `Calibration`."""
     has_runs = (found.directory / "grid.csv").exists()
-    runs, pictures = study.Runs(found, found.figures) if has_runs else None, parts.Pictures()
-    order = [row for row in found.nearest_runs if runs.runs[row]] if found.is_complete and has_runs else []
+    order = found.nearest_runs if found.is_complete and has_runs else []
+    runs, pictures = study.Runs(found, found.figures, order) if has_runs else None, parts.Pictures()
+    order = [row for row in order if runs.runs[row]]
     nearest = order[:SHOWN]
     sections = [Section("surfaces", "Contours", surfaces(found, runs)),
                 Section("asked", "What was asked", asked(found)),
@@ -156,6 +159,6 @@ def report(found):
                 Section("levels", "Levels of the model", levels(found))]
     if runs:
         sections += [Section("runs", "Runs", runs.table()),
-                     Section("boxes", "Each run", runs.boxes(pictures, order, nearest)),
+                     Section("boxes", "Each run", runs.boxes(pictures, nearest)),
                      study.repeat(found, runs, "calibrate", (runs.runs[nearest[0]], runs.folders[nearest[0]]) if nearest else None)]
-    return Report("calibration", found.title, answer(found), study.state(found, found.is_complete), warnings(found, runs), sections)
+    return Report("calibration", found.title, answer(found), study.state(found), warnings(found, runs), sections)

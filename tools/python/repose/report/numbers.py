@@ -60,7 +60,7 @@ def figure(name, value, error=None, with_unit=True, digits=4):
     """A figure in the unit that a person reads, for HTML; `digits` counts where there is no error."""
     _, unit, factor = display(name)
     scaled = factor * value if is_number(value) else None
-    if isinstance(value, int):
+    if factor == 1.0:  # a count stays an integer
         scaled = value
     text = with_error(scaled, factor * error) if is_number(error) and error > 0.0 else plain(scaled, digits)
     title = f"{name} = {value!r}" + (f", standard error {error!r}" if is_number(error) else "")

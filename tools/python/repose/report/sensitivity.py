@@ -81,7 +81,7 @@ def report(found):
                 Section("asked", "What was asked", asked(found))]
     if runs:
         sections += [Section("runs", "Runs", runs.table()),
-                     Section("boxes", "Each run", runs.boxes(parts.Pictures(), [])),
+                     Section("boxes", "Each run", runs.boxes(parts.Pictures())),
                      study.repeat(found, runs, "sensitivity", None)]
-    return Report("sensitivity study", found.title, answer(found), study.state(found, found.is_complete),
+    return Report("sensitivity study", found.title, answer(found), study.state(found),
                   missing(found) + (study.warnings(runs) if runs else []), sections)

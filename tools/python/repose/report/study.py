@@ -5,16 +5,26 @@ import datetime
 from repose.report import html, numbers, parts
 from repose.units import words
 
+MOST_BOXES = 200  # runs of which all figures are shown, and the pile if there is room
 MARK = {"failed": "bad", "plugged": "bad", "waiting": "none", "running": "none"}
 
 
 class Runs:
     """The runs of a study with their summaries, each read once."""
 
-    def __init__(self, study, figures):
+    def __init__(self, study, figures, order=()):
+        """`order` has the rows that matter most, the first first."""
         self.study, self.figures, self.grid = study, figures, study.grid
         self.runs = [run if run is not None and run.is_complete else None for run in study.runs]
         self.folders = study.folders
+        rows = range(self.grid.rows)
+        weight = {row: place for place, row in enumerate([*order, *(r for r in rows if self.grid["state"][r] == "failed")])}
+        self.order = sorted(rows, key=lambda row: weight.get(row, self.grid.rows + row))
+        self.boxed = set(self.order[:MOST_BOXES])
+
+    def has_box(self, row):
+        """Whether there is something to be shown of a run beyond its row; of a thousand not of all."""
+        return row in self.boxed
 
     def name(self, row):
         """What a run is, in words."""
@@ -41,7 +51,7 @@ class Runs:
 
     def cells(self, row):
         state = self.grid["state"][row]
-        cells = [f'<a href="#run-{row}">{row + 1}</a>']
+        cells = [numbers.data(str(row + 1), row + 1) if row not in self.boxed else f'<a href="#run-{row}">{row + 1}</a>']
         if "level" in self.grid:
             cells.append(html.escape(self.grid["level"][row]))
         cells += [numbers.data(f"{self.grid[name][row]:g}", float(self.grid[name][row])) for name in self.study.parameters]
@@ -59,10 +69,10 @@ class Runs:
         numeric = [k for k in range(first, len(head)) if head[k] != "state"]
         return html.table([html.escape(h) for h in head], [self.cells(row) for row in range(self.grid.rows)], "sortable", numeric)
 
-    def boxes(self, pictures, order, shown=()):
-        """A box for each run, which links open; those in `order` get their pictures first, those `shown` have them elsewhere."""
+    def boxes(self, pictures, shown=()):
+        """A box for each run, which links open; those that matter most get their pictures first, those `shown` have them elsewhere."""
         content = {}
-        for row in [*order, *(row for row in range(self.grid.rows) if row not in order)]:
+        for row in self.order[:MOST_BOXES]:
             run = self.runs[row]
             reason = self.grid["reason"][row]
             content[row] = html.paragraph(html.escape(reason), "bad") if reason else ""
@@ -72,16 +82,16 @@ class Runs:
                 content[row] += parts.figures_table(run)
                 content[row] += "" if row in shown else pictures.of_run(run, ("silhouette",))
         return "".join(html.details(f"run {row + 1}: {html.escape(self.name(row))}", content[row], id_=f"run-{row}")
-                       for row in range(self.grid.rows))
+                       for row in sorted(self.boxed))
 
 
-def state(study, is_current):
+def state(study):
     """How far the runs are; empty when they are done and the result is there."""
     if not (study.directory / "grid.csv").exists():
         return html.paragraph("Not one run is complete.")
     states = study.states
     open_runs = states["running"] + states["waiting"]
-    if is_current and not open_runs:
+    if study.is_complete and not open_runs:
         return ""
     written = datetime.datetime.fromtimestamp((study.directory / "grid.csv").stat().st_mtime).strftime("%d %B %Y, %H:%M")
     total = sum(states.values())
@@ -94,9 +104,9 @@ def state(study, is_current):
     return parts.progress_bar(ended / total if total else 0.0, text)
 
 
-def links(rows, most=12):
+def links(runs, rows, most=12):
     """To runs, by their numbers."""
-    shown = ", ".join(f'<a href="#run-{row}">{row + 1}</a>' for row in rows[:most])
+    shown = ", ".join(f'<a href="#run-{row}">{row + 1}</a>' if runs.has_box(row) else str(row + 1) for row in rows[:most])
     return shown + (f" and {len(rows) - most} more" if len(rows) > most else "")
 
 
@@ -105,14 +115,14 @@ def warnings(runs):
     grid, found = runs.grid, []
     for row in range(grid.rows):
         if grid["state"][row] == "failed":
-            found.append(f'<a href="#run-{row}">Run {row + 1}</a> failed: {html.escape(grid["reason"][row])}')
+            found.append(f"Run {links(runs, [row])} failed: {html.escape(grid['reason'][row])}")
     plugged = [row for row in range(grid.rows) if grid["state"][row] == "plugged"]
     if plugged:
-        found.append(f"{len(plugged)} of {grid.rows} runs plugged: {links(plugged)}. They count for masses and for no other figure.")
+        found.append(f"{len(plugged)} of {grid.rows} runs plugged: {links(runs, plugged)}. They count for masses and for no other figure.")
     for figure in runs.figures:
         without = [row for row in range(grid.rows) if grid["state"][row] == "done" and runs.value(row, figure)[0] is None]
         if without:
-            found.append(f"No {html.escape(numbers.display(figure)[0])} in {len(without)} of the runs that are done: {links(without)}.")
+            found.append(f"No {html.escape(numbers.display(figure)[0])} in {len(without)} of the runs that are done: {links(runs, without)}.")
     return found
 
 

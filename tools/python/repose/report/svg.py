@@ -71,15 +71,17 @@ def halo(mark):
     return None
 
 
-def link_runs(root, runs):
-    """Makes links of the marks whose id begins with "run-": to the first of their runs, with what `runs` says of them."""
+def link_runs(root, runs, is_there):
+    """Makes links of the marks whose id begins with "run-": to the first of their runs, with what `runs` says of them, if
+    something `is_there` to be shown."""
     for parent in list(root.iter()):
         for place, node in enumerate(list(parent)):
             rows = re.fullmatch(r"run-(\d+(?:-\d+)*)", node.get("id", ""))
             if not rows:
                 continue
             numbers = [int(row) for row in rows[1].split("-")]
-            link = tree.Element("a", {"href": f"#run-{numbers[0]}", "class": "run"})
+            target = {"href": f"#run-{numbers[0]}"} if is_there(numbers[0]) else {}
+            link = tree.Element("a", {**target, "class": "run"})
             tree.SubElement(link, "title").text = "\n\n".join(runs(number) for number in numbers)
             ring = halo(node)
             link.extend([ring] if ring is not None else [])
@@ -89,7 +91,7 @@ def link_runs(root, runs):
             link.append(node)
 
 
-def of_figure(figure, label, runs=None):
+def of_figure(figure, label, runs=None, is_there=lambda row: True):
     """A figure of matplotlib; `runs`, a function from a row of a grid to a text, makes its marks of runs links."""
     if figure is None:
         return ""
@@ -102,14 +104,14 @@ def of_figure(figure, label, runs=None):
             if key in node.attrib and node.tag != "clipPath":
                 node.set(key, node.get(key) if "scale" in node.get(key) else rounded(node.get(key), 2))
     if runs:
-        link_runs(root, runs)
+        link_runs(root, runs, is_there)
     keep_links(root)
     return finish(root, label)
 
 
 def keep_links(root):
     """Renames what belongs to the picture, not the links into the page."""
-    links = [(node, node.attrib.pop("href")) for node in root.iter("a")]
+    links = [(node, node.attrib.pop("href")) for node in root.iter("a") if "href" in node.attrib]
     rename(root)
     for node, target in links:
         node.set("href", target)

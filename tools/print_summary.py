@@ -22,7 +22,8 @@ def measured(run):
         if not unit or "." in key or key == "time_s" or "_stderr" in key or value is None:
             continue
         error = run.error(key)
-        yield name, text(value, unit, scale) + (f" +- {scale * error:.2g} {unit} (standard error)" if error is not None else "")
+        yield name, text(value, unit, scale) + (f" +- {scale * error:.2g} {unit} (standard error)" if error is not None
+                                                else "")
 
 
 def grains(area):

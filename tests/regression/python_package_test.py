@@ -1,4 +1,5 @@
-"""The Python package: what it reads is what stands in the files, what it runs is the program's run, what fails is one line.
+"""The Python package: what it reads is what stands in the files, what it runs is the program's run, what fails is one
+line.
 
 Usage: python_package_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 """
@@ -32,8 +33,8 @@ class Package(unittest.TestCase):
         global repose
         import repose
         overrides = dict(text.split("=", 1) for text in REDUCED)
-        overrides |= {"output.snapshot_interval": 0.01, "run.seed": 3, "wall.vessel.points": [[0.004, 0.04], [0.004, 0.0],
-                                                                                            [0.00175, 0.0]]}
+        overrides |= {"output.snapshot_interval": 0.01, "run.seed": 3,
+                      "wall.vessel.points": [[0.004, 0.04], [0.004, 0.0], [0.00175, 0.0]]}
         cls.run_folder = cls.path("run")
         cls.run_ = repose.run(cls.deck("discharge_quick.toml"), cls.run_folder, set=overrides, ranks=2,
                               program=cls.program.executable, mpirun=cls.program.mpiexec)
@@ -74,7 +75,8 @@ class Package(unittest.TestCase):
         self.assertEqual(again.summary["state_hash"], summary["state_hash"])
 
     def test_what_fails_is_the_programs_line(self):
-        error = self.raises('^--set run.sed=1: .*"sed"', repose.run, self.deck("discharge_quick.toml"), self.path("none"),
+        error = self.raises('^--set run.sed=1: .*"sed"', repose.run, self.deck("discharge_quick.toml"),
+                            self.path("none"),
                             set={"run.sed": 1}, program=self.program.executable)
         self.assertEqual(error.code, 2)
         error = self.raises("absent.toml: cannot open", repose.run, "absent.toml", self.path("none"), ranks=2,
@@ -158,7 +160,8 @@ class Package(unittest.TestCase):
         self.assertEqual(last.build["commit"], self.run_.summary["build"]["commit"])
         self.assertEqual(last.deck, self.run_.deck)
         self.assertEqual(set(last.material_names), {"carbohsp"})
-        self.assertEqual(self.run_.snapshot(0.011).time_s, min((s.time_s for s in snapshots), key=lambda t: abs(t - 0.011)))
+        self.assertEqual(self.run_.snapshot(0.011).time_s,
+                         min((s.time_s for s in snapshots), key=lambda t: abs(t - 0.011)))
         self.raises('has no array "colour"', lambda: last["colour"])
         self.raises("cannot be read", repose.Snapshot, self.path("absent.hdf"))
 
@@ -174,7 +177,8 @@ class Package(unittest.TestCase):
             self.assertEqual(len(contacts.wall), len(file["wall_contacts/wall"]))
         self.assertEqual(2 * len(contacts.pairs), counts.sum())
         self.assertTrue((contacts.pairs[:, 0] < contacts.pairs[:, 1]).all())
-        self.assertEqual(dict(zip(contacts.ids.tolist(), contacts.coordination().tolist())), dict(zip(ids.tolist(), counts.tolist())))
+        self.assertEqual(dict(zip(contacts.ids.tolist(), contacts.coordination().tolist())),
+                         dict(zip(ids.tolist(), counts.tolist())))
         self.assertEqual(contacts.spring.shape, (len(contacts.pairs), 3))
         self.assertIsNone(self.run_.contacts)
         self.assertIsNone(self.run_.picture("top_view", "pdf"))
@@ -227,7 +231,8 @@ class Package(unittest.TestCase):
         self.assertEqual(surfaces.mean["retained_mass_kg"].shape, (len(surfaces.y), len(surfaces.x)))
         self.assertEqual(calibration.figures, ["discharged_mass_kg", "retained_mass_kg"])
         nearest = calibration.nearest_runs
-        off = [abs(calibration.grid["sliding"][k] - point[0]) / 0.3 + abs(calibration.grid["restitution"][k] - point[1]) / 0.6
+        off = [abs(calibration.grid["sliding"][k] - point[0]) / 0.3 +
+               abs(calibration.grid["restitution"][k] - point[1]) / 0.6
                for k in (nearest[0], nearest[-1])]
         self.assertEqual(len(nearest), calibration.states["done"])
         self.assertLess(off[0], off[1])
@@ -245,7 +250,8 @@ class Package(unittest.TestCase):
         self.assertEqual(len(calibration.first_level_surfaces.x), len(calibration.surfaces.x))
         search = calibration.search
         self.assertEqual(search["runs"][-1], calibration.grid.rows)
-        self.assertAlmostEqual(search["core_hours"][-1], sum(level["core_hours"] for level in calibration.estimate["levels"]), 12)
+        self.assertAlmostEqual(search["core_hours"][-1],
+                               sum(level["core_hours"] for level in calibration.estimate["levels"]), 12)
         last, half_width = search["half_width"][-1], calibration.estimate["half_width"]
         self.assertTrue(last == half_width or (half_width is None and last != last), (last, half_width))
         self.assertGreater(len(repose.plots.search(calibration).axes[0].lines[0].get_xdata()), 1)
@@ -259,7 +265,8 @@ class Package(unittest.TestCase):
         effects, grid = study.effects("discharged_mass_kg"), study.grid
         self.assertEqual(list(effects), study.parameters)
         upper = (grid["sliding"] == 0.7) & (grid["restitution"] == 0.5)
-        self.assertAlmostEqual(effects["sliding"]["upper"]["mean"] / grid["discharged_mass_kg"][upper].mean(), 1.0, places=12)
+        self.assertAlmostEqual(effects["sliding"]["upper"]["mean"] / grid["discharged_mass_kg"][upper].mean(), 1.0,
+                               places=12)
         with open(os.path.join(study.directory, "sensitivity.json")) as file:
             walks = {e["parameter"]: e for e in json.load(file)["morris"]}
         self.assertEqual(study.morris("discharged_mass_kg"), walks)
@@ -269,7 +276,8 @@ class Package(unittest.TestCase):
 
     def test_a_validation(self):
         text = 'title = "two cases"\npublished = "theirs"\n' + "".join(
-            CASE.format(name=name, deck=self.deck("discharge_quick.toml"), set=json.dumps([*REDUCED, f"run.seed={seed}"]))
+            CASE.format(name=name, deck=self.deck("discharge_quick.toml"),
+                        set=json.dumps([*REDUCED, f"run.seed={seed}"]))
             for name, seed in (("one", 1), ("two", 2)))
         validation = repose.open(self.study("validate", text, ranks=0))
         self.assertIsInstance(validation, repose.Validation)
@@ -289,7 +297,8 @@ class Package(unittest.TestCase):
             self.raises("is no directory of ", kind, tempfile.mkdtemp(dir=self.folder))
 
     def test_pandas_is_asked_for_by_frame_alone(self):
-        code = "import sys, repose\nassert not {'pandas', 'matplotlib', 'h5py'} & set(sys.modules), 'imported too early'"
+        code = ("import sys, repose\n"
+                "assert not {'pandas', 'matplotlib', 'h5py'} & set(sys.modules), 'imported too early'")
         done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
                               env={**os.environ, "PYTHONPATH": os.path.join(self.program.source, "tools", "python")})
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -19,7 +19,8 @@ from study_decks import CASE, GRID, MASS, MORRIS, REDUCED, SEARCH, SLIDING, head
 sys.dont_write_bytecode = True
 MOST_BYTES = 5_000_000
 # A pile, so that there are a silhouette and an angle; of soft grains, whose time step is three times as long.
-PILED = ["particles.0.mass=0.3 g", "phase.settle.max_time=60 ms", "phase.settle.min_time=1 ms", "phase.discharge.max_time=200 ms",
+PILED = ["particles.0.mass=0.3 g", "phase.settle.max_time=60 ms", "phase.settle.min_time=1 ms",
+         "phase.discharge.max_time=200 ms",
          "phase.discharge.min_time=200 ms", "material.0.youngs_modulus=0.5 MPa", "material.1.youngs_modulus=0.5 MPa"]
 
 
@@ -92,7 +93,8 @@ class Report(unittest.TestCase):
             for key, value in node.attrib.items():
                 self.assertNotRegex(value, r"https?:|file:", f"{node.tag} {key}")
                 for target in re.findall(r"url\((.*?)\)", value) + ([value] if key == "href" else []):
-                    self.assertTrue(target.startswith("data:image/") or target[1:] in page.ids, f"{node.tag} {key}: {target[:60]}")
+                    self.assertTrue(target.startswith("data:image/") or target[1:] in page.ids,
+                                    f"{node.tag} {key}: {target[:60]}")
         style = "".join(page.root.find(".//style").itertext())
         self.assertNotRegex(style, r"@import|url\(")
         self.assertNotRegex("".join(page.root.find(".//script").itertext()), r"fetch|XMLHttp|import\(|http")
@@ -147,7 +149,8 @@ class Report(unittest.TestCase):
         if not estimate["points"]:
             self.assertEqual([found[name][0][0] for name in ("sliding", "restitution")], estimate["nearest"]["values"])
         for observable in estimate["observables"]:
-            self.assertIn((observable["laboratory"], observable["standard_error"]), page.titled("asked")[observable["figure"]])
+            self.assertIn((observable["laboratory"], observable["standard_error"]),
+                          page.titled("asked")[observable["figure"]])
         marks = [node for node in page.section("surfaces").iter("a") if node.get("class") == "run"]
         self.assertGreaterEqual(len(marks), 6)
         from repose import Calibration
@@ -214,8 +217,10 @@ class Report(unittest.TestCase):
         self.assertIn("without the discrepancy", page.words("levels"))
         from repose import Calibration
         search = Calibration(output).search
-        self.assertLessEqual({v for v in search["half_width"] if v == v} | set(search["core_hours"]), set(page.values("search")))
-        self.assertIn("convergence of the search", [node.get("aria-label") for node in page.section("search").iter("svg")])
+        self.assertLessEqual({v for v in search["half_width"] if v == v} | set(search["core_hours"]),
+                             set(page.values("search")))
+        self.assertIn("convergence of the search",
+                      [node.get("aria-label") for node in page.section("search").iter("svg")])
 
     def test_a_sensitivity_study(self):
         output = self.study("sensitivity", head(self.base) + MORRIS)
@@ -230,7 +235,8 @@ class Report(unittest.TestCase):
 
     def test_a_validation(self):
         text = 'title = "two cases"\npublished = "theirs"\n' + "".join(
-            CASE.format(name=name, deck=self.base, set=json.dumps([*PILED, f"run.seed={seed}"])) for name, seed in (("one", 1), ("two", 2)))
+            CASE.format(name=name, deck=self.base, set=json.dumps([*PILED, f"run.seed={seed}"]))
+            for name, seed in (("one", 1), ("two", 2)))
         output = self.study("validate", text, ranks=0)
         result, page = self.read(output, "validation.json"), self.page(output)
         found = page.titled("answer")
@@ -247,9 +253,11 @@ class Report(unittest.TestCase):
 
     def test_numbers_have_no_more_digits_than_their_error(self):
         from repose.report import numbers
-        for value, error, text in ((22.124865, 0.7423, "22.12 ± 0.74"), (0.40641, 0.0427, "0.406 ± 0.043"), (86, 9.27, "86.0 ± 9.3"),
-                                   (1234.5, 156.0, "1230 ± 160"), (0.0999, 0.0996, "0.10 ± 0.10"), (-3.2e-9, 4.1e-10, "(-3.20 ± 0.41) · 10⁻⁹"),
-                                   (5.0, None, "5"), (0.27371, 0.0, "0.2737"), (None, 1.0, "none"), (float("nan"), None, "none"),
+        for value, error, text in ((22.124865, 0.7423, "22.12 ± 0.74"), (0.40641, 0.0427, "0.406 ± 0.043"),
+                                   (86, 9.27, "86.0 ± 9.3"), (1234.5, 156.0, "1230 ± 160"),
+                                   (0.0999, 0.0996, "0.10 ± 0.10"), (-3.2e-9, 4.1e-10, "(-3.20 ± 0.41) · 10⁻⁹"),
+                                   (5.0, None, "5"), (0.27371, 0.0, "0.2737"), (None, 1.0, "none"),
+                                   (float("nan"), None, "none"),
                                    (6.455e-6, None, "6.455 · 10⁻⁶")):
             self.assertEqual(numbers.with_error(value, error), text)
         self.assertIn('value="0.000271"', numbers.figure("discharged_mass_kg", 0.000271))
@@ -277,8 +285,10 @@ class Report(unittest.TestCase):
         for program, python, arguments, code, message in (
                 (self.program.executable, sys.executable, [self.folder + "/absent"], 4, "absent: is no directory"),
                 (self.program.executable, bare, [output], 4, "report needs the Python module numpy; install it"),
-                (self.program.executable, self.path("nopython"), [output], 4, "nopython cannot be started; install python3"),
-                (self.program.executable, sys.executable, [output, "--output", self.path("none/x.html")], 4, "x.html: cannot be written"),
+                (self.program.executable, self.path("nopython"), [output], 4,
+                 "nopython cannot be started; install python3"),
+                (self.program.executable, sys.executable, [output, "--output", self.path("none/x.html")], 4,
+                 "x.html: cannot be written"),
                 (self.program.executable, sys.executable, [], 2, "DIR is required"),
                 (lonely, sys.executable, [output], 4, "the Python package is not beside it")):
             done = subprocess.run([program, "report", *arguments], capture_output=True, text=True,
@@ -289,11 +299,13 @@ class Report(unittest.TestCase):
     def test_what_cannot_be_reported_is_one_line(self):
         from repose import report
         script = os.path.join(os.path.dirname(report.__file__), "..", "..", "repose_report.py")
-        for arguments, message in (([self.folder + "/absent"], "absent: is no directory"), ([tempfile.mkdtemp()], "holds no run")):
+        for arguments, message in (([self.folder + "/absent"], "absent: is no directory"),
+                                   ([tempfile.mkdtemp()], "holds no run")):
             done = subprocess.run([sys.executable, script, *arguments], capture_output=True, text=True)
             self.assertEqual(done.returncode, 4)
             self.assertRegex(done.stderr, f"^repose: .*{message}.*\n$")
-        done = subprocess.run([sys.executable, "-S", script, self.folder], capture_output=True, text=True, env={"PATH": "/usr/bin"})
+        done = subprocess.run([sys.executable, "-S", script, self.folder], capture_output=True, text=True,
+                              env={"PATH": "/usr/bin"})
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertRegex(done.stderr, "^repose: report needs the Python module numpy; .*\n$")
 

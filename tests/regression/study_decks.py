@@ -1,8 +1,10 @@
-"""Studies of runs of two hundred grains, for the tests of the Python package and of reports. What the grains do does not matter."""
+"""Studies of runs of two hundred grains, for the tests of the Python package and of reports. What the grains do does
+not matter."""
 
 import json
 
-REDUCED = ["particles.0.mass=0.03 g", "particles.0.height=20 mm", "output.snapshot_interval=0", "phase.settle.max_time=15 ms",
+REDUCED = ["particles.0.mass=0.03 g", "particles.0.height=20 mm", "output.snapshot_interval=0",
+           "phase.settle.max_time=15 ms",
            "phase.settle.min_time=0", "phase.discharge.max_time=60 ms", "phase.discharge.min_time=0",
            "measurement.discharge.plugged_share=0.02"]
 SLIDING = '[[parameter]]\nname = "sliding"\nkey = "pair.0.sliding_friction"\n'
@@ -11,10 +13,12 @@ RANGES = SLIDING + "min = 0.1\nmax = 0.7\n" + RESTITUTION + "min = 0.2\nmax = 0.
 MASS = '[[observable]]\nfigure = "discharged_mass_kg"\nlaboratory = 8e-6\ndeviation = 1e-6\nrepeats = 4\n'
 REST = '[[observable]]\nfigure = "retained_mass_kg"\nlaboratory = 22e-6\ndeviation = 1e-6\nrepeats = 4\n'
 GRID = SLIDING + "values = [0.1, 0.4]\n" + RESTITUTION + "min = 0.2\nmax = 0.8\npoints = 3\n" + MASS + REST
-SEARCH = (RANGES + MASS + REST + 'discrepancy_share = 0.1\n[[level]]\nname = "small"\nset = ["particles.0.mass=0.02 g"]\n'
+SEARCH = (RANGES + MASS + REST +
+          'discrepancy_share = 0.1\n[[level]]\nname = "small"\nset = ["particles.0.mass=0.02 g"]\n'
           'start = 6\n[[level]]\nname = "large"\n'
           "[adaptive]\nstart = 4\nbatch = 2\nbudget_core_hours = 0.0027\nhalf_width = 0.01\n")
-MORRIS = ('figures = ["discharged_mass_kg"]\n[morris]\ntrajectories = 2\n' + SLIDING + "min = 0.1\nmax = 0.7\nfixed = 0.4\n" +
+MORRIS = ('figures = ["discharged_mass_kg"]\n[morris]\ntrajectories = 2\n' + SLIDING +
+          "min = 0.1\nmax = 0.7\nfixed = 0.4\n" +
           RESTITUTION + "min = 0.2\nmax = 0.8\nfixed = 0.5\n")
 CASE = """
 [[case]]

@@ -3,8 +3,8 @@
 
 Usage: tools/python/example.py DIR... [--output figure.pdf]
 
-Left the discharged mass over time, mean and standard deviation over the runs; right the shape of the piles, with the angle of
-repose. Made for runs of input/discharge_quick.toml, such as
+Left the discharged mass over time, mean and standard deviation over the runs; right the shape of the piles, with the
+angle of repose. Made for runs of input/discharge_quick.toml, such as
 
     repose run input/discharge_quick.toml --set run.seed=2 --output results/seed_2
 """

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""`repose report` starts this: repose_report.py DIR [--output FILE]. It imports nothing that may be missing before it can say so."""
+"""`repose report` starts this: repose_report.py DIR [--output FILE]. It imports nothing that may be missing before it
+can say so."""
 
 import argparse
 import os

@@ -7,8 +7,8 @@
     print(run.series["time_s"][-1], "s,", 1e3 * run.series["discharged_mass_kg"][-1], "g")
     print(run.snapshots[-1].position[:, 2].max(), "m")
 
-Names are those of the decks and of the files, units are SI and stand in the names (`_kg`, `_m`, `_s`; `_deg` is degrees). What
-cannot be read or run raises `ReposeError` with one line.
+Names are those of the decks and of the files, units are SI and stand in the names (`_kg`, `_m`, `_s`; `_deg` is
+degrees). What cannot be read or run raises `ReposeError` with one line.
 
     Run           the directory of `repose run`: summary, series, snapshots
     Calibration   of `repose calibrate`: runs, surfaces, estimate
@@ -32,7 +32,8 @@ from repose.sensitivity import Sensitivity
 from repose.snapshot import Snapshot
 from repose.validation import Validation
 
-__all__ = ["Calibration", "Contacts", "ReposeError", "Run", "Sensitivity", "Snapshot", "Surfaces", "Table", "Validation",
+__all__ = ["Calibration", "Contacts", "ReposeError", "Run", "Sensitivity", "Snapshot", "Surfaces", "Table",
+           "Validation",
            "calibrate", "find_program", "open", "run", "validate"]
 
 

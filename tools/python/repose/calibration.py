@@ -15,7 +15,8 @@ class Surfaces:
     misfit      squared deviation from the laboratory, a row for each y
     limit       of the misfit in the confidence region
     mean, deviation     of each figure, by its name: in its unit, a row for each y
-    laboratory_lines    of each figure, by its name: lines on which it has the laboratory's value; arrays with rows (x, y)
+    laboratory_lines    of each figure, by its name: lines on which it has the laboratory's value; arrays with rows (x,
+                        y)
     """
 
     def __init__(self, content):
@@ -34,8 +35,9 @@ class Calibration(Study):
 
     @functools.cached_property
     def estimate(self):
-        """estimate.json: `verdict`, `points` (calibrated `values` with `standard_errors`, in the order of `parameters`), `parts` of
-        the confidence region with their `intervals`, `nearest`, `observables`, and with two parameters `surfaces`."""
+        """estimate.json: `verdict`, `points` (calibrated `values` with `standard_errors`, in the order of
+        `parameters`), `parts` of the confidence region with their `intervals`, `nearest`, `observables`, and with two
+        parameters `surfaces`."""
         return self._result()
 
     @functools.cached_property
@@ -51,9 +53,9 @@ class Calibration(Study):
 
     @functools.cached_property
     def search(self):
-        """search.csv of a calibration with [adaptive]: a row after each batch with the `points` and `runs` so far, their
-        `core_hours` and the `half_width` of the widest interval of the region over its range (NaN: there was no region); None
-        without one."""
+        """search.csv of a calibration with [adaptive]: a row after each batch with the `points` and `runs` so far,
+        their `core_hours` and the `half_width` of the widest interval of the region over its range (NaN: there was no
+        region); None without one."""
         path = self.directory / "search.csv"
         return read_table(path) if path.exists() else None
 
@@ -70,7 +72,8 @@ class Calibration(Study):
 
     @property
     def nearest_runs(self):
-        """Rows of `grid` that are done, of the last level, in the order of their distance from `values` over the ranges."""
+        """Rows of `grid` that are done, of the last level, in the order of their distance from `values` over the
+        ranges."""
         answer = np.array([self.values[name] for name in self.parameters])
         ranges = np.array([p["max"] - p["min"] for p in self.estimate["parameters"]])
         points = np.column_stack([self.grid[name] for name in self.parameters])

@@ -7,8 +7,8 @@ from repose.snapshot import open_hdf5
 
 
 class Contacts:
-    """Those of a checkpoint that remember something: a tangential spring or a rolling moment. Touching surfaces have done so
-    since their first step, unless the deck has no friction. Particles are named by their numbers.
+    """Those of a checkpoint that remember something: a tangential spring or a rolling moment. Touching surfaces have
+    done so since their first step, unless the deck has no friction. Particles are named by their numbers.
 
     pairs           rows of two particles, the lower number first, in order
     spring          m, tangential displacement of each pair; rows (x, y, z), from the higher number to the lower

@@ -12,7 +12,8 @@ from repose.validation import Validation
 def open_directory(directory):
     """The `Run`, `Calibration`, `Sensitivity` or `Validation` in a directory."""
     directory = pathlib.Path(directory)
-    for kind, file in ((Calibration, Calibration.deck_file), (Sensitivity, Sensitivity.deck_file), (Run, "deck.resolved.toml"),
+    for kind, file in ((Calibration, Calibration.deck_file), (Sensitivity, Sensitivity.deck_file),
+                       (Run, "deck.resolved.toml"),
                        (Validation, "validation.json"), (Validation, "*/deck.resolved.toml")):
         if any(directory.glob(file)):
             return kind(directory)

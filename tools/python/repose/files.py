@@ -9,8 +9,8 @@ import numpy as np
 
 
 class ReposeError(Exception):
-    """One line: where, what, and what would be right. `code` is the exit code of the program, if it was the program that
-    failed (2: the deck is wrong, 3: the physics broke, 4: a file, 75: stopped with a checkpoint)."""
+    """One line: where, what, and what would be right. `code` is the exit code of the program, if it was the program
+    that failed (2: the deck is wrong, 3: the physics broke, 4: a file, 75: stopped with a checkpoint)."""
 
     def __init__(self, message, code=None):
         super().__init__(message)
@@ -18,7 +18,8 @@ class ReposeError(Exception):
 
 
 class Table(dict):
-    """Columns of a CSV by name, in the order of the file: numpy arrays of floats, with NaN where a field is empty, or of texts."""
+    """Columns of a CSV by name, in the order of the file: numpy arrays of floats, with NaN where a field is empty, or
+    of texts."""
 
     @property
     def rows(self):
@@ -59,8 +60,8 @@ def read_toml(path):
 
 
 def read_rows(path):
-    """The fields of a CSV as texts: names of the columns, rows. The last row of a file that grows may not be whole yet and is
-    left out then."""
+    """The fields of a CSV as texts: names of the columns, rows. The last row of a file that grows may not be whole yet
+    and is left out then."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
             names, *rows = list(csv.reader(file)) or [[]]
@@ -90,8 +91,8 @@ def read_table(path, texts=()):
 
 
 def number_in(content, figure, where="summary.json"):
-    """The number of a figure, by its name in decks: `scattering.area_1.count` is below two sections. None when it was not
-    measured or is not there to be measured."""
+    """The number of a figure, by its name in decks: `scattering.area_1.count` is below two sections. None when it was
+    not measured or is not there to be measured."""
     value = content
     for part in figure.split("."):
         if not isinstance(value, dict) or part not in value:

@@ -15,8 +15,8 @@ BUILDS = ("release", "ci")
 
 
 def find_program():
-    """The path of the program: what REPOSE in the environment names, what was installed or built with this package, or the
-    first `repose` of PATH."""
+    """The path of the program: what REPOSE in the environment names, what was installed or built with this package, or
+    the first `repose` of PATH."""
     named = os.environ.get("REPOSE")
     if named:
         return named
@@ -28,7 +28,8 @@ def find_program():
             return str(path)
     found = shutil.which("repose")
     if not found:
-        raise ReposeError("the program repose is neither beside this package nor in PATH; name it in REPOSE or by program=")
+        raise ReposeError("the program repose is neither beside this package nor in PATH; name it in REPOSE or by "
+                          "program=")
     return found
 
 
@@ -44,8 +45,8 @@ def value_text(value):
 
 
 def call(arguments, ranks=1, program=None, mpirun="mpirun"):
-    """Runs `repose` with arguments; what it prints. `mpirun` starts it on several ranks. A failure raises ReposeError with the
-    program's one line and its exit code."""
+    """Runs `repose` with arguments; what it prints. `mpirun` starts it on several ranks. A failure raises ReposeError
+    with the program's one line and its exit code."""
     launcher = [mpirun, "-n", str(ranks)] if ranks > 1 else []
     command = [*launcher, program or find_program(), *arguments]
     command = [os.fspath(word) for word in command]
@@ -82,7 +83,8 @@ def run(deck, output, set=None, ranks=1, program=None, restart=False, options=()
 
     Raises ReposeError with the program's one line when it fails; its `code` is the exit code.
     """
-    words = ["run", deck, "--output", output, "--quiet", *set_options(set), *(["--restart"] if restart else []), *options]
+    words = ["run", deck, "--output", output, "--quiet", *set_options(set), *(["--restart"] if restart else []),
+             *options]
     call(words, ranks, program, mpirun)
     return Run(output)
 

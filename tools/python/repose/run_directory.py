@@ -61,18 +61,19 @@ class Run:
     def figures(self):
         """What was measured: every number of summary.json but those of the computation, by its name in decks
         (`discharged_mass_kg`, `scattering.area_1.count`). None: not measured, or not there to be measured."""
-        computed = ("ranks", "steps", "time_s", "timestep_s", "restarts", "wall_seconds", "particle_steps_per_second", "timing", "lists",
+        computed = ("ranks", "steps", "time_s", "timestep_s", "restarts", "wall_seconds", "particle_steps_per_second",
+                    "timing", "lists",
                     "parallel", "memory", "build", "particles")
         return dict(numbers_in({key: value for key, value in self.summary.items() if key not in computed}))
 
     def figure(self, name):
-        """One figure by its name in decks, such as `angle_of_repose_deg` or `scattering.area_1.count`; in the unit at the end of
-        its name (`_kg`, `_m`, `_s`, `_deg`: degrees), counts are numbers. None when it was not measured."""
+        """One figure by its name in decks, such as `angle_of_repose_deg` or `scattering.area_1.count`; in the unit at
+        the end of its name (`_kg`, `_m`, `_s`, `_deg`: degrees), counts are numbers. None when it was not measured."""
         return number_in(self.summary, name)
 
     def error(self, name):
-        """The standard error of a figure within this run, in its unit, for an angle of repose or a count; None for others. It
-        does not have what differs from seed to seed."""
+        """The standard error of a figure within this run, in its unit, for an angle of repose or a count; None for
+        others. It does not have what differs from seed to seed."""
         if name.endswith(".count"):
             name = name[:-5] + "error"
         elif name.endswith("_deg"):
@@ -145,7 +146,8 @@ class Run:
 
     @property
     def build(self):
-        """Version, commit, compiler and so on of the program, as the newest file says that does; empty when none does yet."""
+        """Version, commit, compiler and so on of the program, as the newest file says that does; empty when none does
+        yet."""
         if self.is_complete:
             return self.summary["build"]
         paths = (self.checkpoint_paths or self.snapshot_paths)[-1:]
@@ -164,7 +166,8 @@ class Run:
 
     @property
     def progress(self):
-        """How far it is: `time_s` of the last row, `phase` (its name), `most_time_s`, the end at the latest, if the deck has one."""
+        """How far it is: `time_s` of the last row, `phase` (its name), `most_time_s`, the end at the latest, if the
+        deck has one."""
         series, phases = self.series or Table(), self.deck.get("phase", [])
         place = int(series["phase"][-1]) if series else 0
         time_s = float(series["time_s"][-1]) if series else 0.0

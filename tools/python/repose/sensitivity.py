@@ -26,6 +26,6 @@ class Sensitivity(Study):
         return {e["parameter"]: e for e in self.result["one_at_a_time"] if e["figure"] == figure}
 
     def morris(self, figure):
-        """By parameter, the effects of Morris over the range, in the unit of the figure: `mu_star` with `mu_star_error`, `mu`,
-        `sigma`. Empty when the study has no [morris]."""
+        """By parameter, the effects of Morris over the range, in the unit of the figure: `mu_star` with
+        `mu_star_error`, `mu`, `sigma`. Empty when the study has no [morris]."""
         return {e["parameter"]: e for e in self.result["morris"] if e["figure"] == figure}

@@ -28,8 +28,8 @@ def array(name, meaning):
 
 
 class Snapshot:
-    """Particles at one time, in the order of their numbers. Arrays are read when they are asked for, by attribute or by name
-    (`snapshot["radius"]`), and kept."""
+    """Particles at one time, in the order of their numbers. Arrays are read when they are asked for, by attribute or by
+    name (`snapshot["radius"]`), and kept."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)

@@ -1,4 +1,5 @@
-"""What the directories of calibrations and sensitivity studies have in common: runs over parameters, and their table."""
+"""What the directories of calibrations and sensitivity studies have in common: runs over parameters, and their
+table."""
 
 import functools
 import pathlib
@@ -30,7 +31,8 @@ class Study:
 
     @functools.cached_property
     def deck(self):
-        """The file that it was started with, as a dict; its values are as they were written, texts with units among them."""
+        """The file that it was started with, as a dict; its values are as they were written, texts with units among
+        them."""
         return read_toml(self.directory / self.deck_file)
 
     @property
@@ -54,8 +56,9 @@ class Study:
 
     @functools.cached_property
     def grid(self):
-        """grid.csv: a row for each run with `level` (if there are several), the parameters, `seed`, `state` (done, plugged,
-        failed, running, waiting), the figures in the units of their names (NaN: none) and the `reason` of a failure."""
+        """grid.csv: a row for each run with `level` (if there are several), the parameters, `seed`, `state` (done,
+        plugged, failed, running, waiting), the figures in the units of their names (NaN: none) and the `reason` of a
+        failure."""
         return read_table(self.directory / "grid.csv", TEXTS)
 
     @functools.cached_property

@@ -1,7 +1,8 @@
 """How figures are shown: names without their units' endings, in units that a person reads."""
 
 # ending of a name, unit shown, factor from SI
-UNITS = (("_kg_m3", "kg/m³", 1.0), ("_kg_s", "g/s", 1e3), ("_kg", "g", 1e3), ("_deg_s", "degrees/s", 1.0), ("_deg", "degrees", 1.0),
+UNITS = (("_kg_m3", "kg/m³", 1.0), ("_kg_s", "g/s", 1e3), ("_kg", "g", 1e3), ("_deg_s", "degrees/s", 1.0),
+         ("_deg", "degrees", 1.0),
          ("_m", "mm", 1e3), ("_s", "s", 1.0), ("_J", "J", 1.0), ("_N", "N", 1.0))
 
 
@@ -11,8 +12,8 @@ def words(name):
 
 
 def display(figure):
-    """Of a figure: its name, its unit ("" for counts) and the factor from SI to it: `discharged_mass_kg` is "discharged mass" in
-    "g", times 1e3."""
+    """Of a figure: its name, its unit ("" for counts) and the factor from SI to it: `discharged_mass_kg` is "discharged
+    mass" in "g", times 1e3."""
     for ending, unit, factor in UNITS:
         if figure.endswith(ending):
             return words(figure[:-len(ending)]), unit, factor

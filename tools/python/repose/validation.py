@@ -13,7 +13,8 @@ class Validation:
     def __init__(self, directory):
         self.directory = pathlib.Path(directory)
         if not self.is_complete and not self._folders():
-            raise ReposeError(f"{directory}: is no directory of `repose validate`: it has neither validation.json nor cases")
+            raise ReposeError(f"{directory}: is no directory of `repose validate`: it has neither validation.json nor "
+                              "cases")
 
     def __repr__(self):
         return f"<Validation {self.directory}>"
@@ -39,8 +40,8 @@ class Validation:
 
     @property
     def cases(self):
-        """By name, the comparisons of each case: `figure`, `here` with `error`, `laboratory` with `deviation`, `published`; in the
-        unit of the figure, None where there is none."""
+        """By name, the comparisons of each case: `figure`, `here` with `error`, `laboratory` with `deviation`,
+        `published`; in the unit of the figure, None where there is none."""
         return {case["name"]: case["comparisons"] for case in self.result["cases"]}
 
     @property

@@ -10,7 +10,8 @@ from repose.plots.lines import line, lines
 from repose.plots.plane import contours, crossing, plane
 from repose.plots.search import search
 
-__all__ = ["calibration", "contours", "crossing", "discharge", "effect", "effects", "energies", "line", "lines", "plane", "search",
+__all__ = ["calibration", "contours", "crossing", "discharge", "effect", "effects", "energies", "line", "lines",
+           "plane", "search",
            "walls"]
 
 

@@ -51,7 +51,8 @@ def over_time(axes, series):
 
 @styled
 def discharge(run):
-    """The mass below the orifice, what left through each exit, and the rate between two rows; of long series between every few."""
+    """The mass below the orifice, what left through each exit, and the rate between two rows; of long series between
+    every few."""
     series = run.series
     if series is None or series.rows < 2:
         return None

@@ -32,7 +32,8 @@ def effect(study, figure, kind="one_at_a_time"):
 def effects(study):
     """The effects of all parameters of a `Sensitivity` on all figures, and beside them Morris's mu*."""
     kinds = list(KINDS)[:2 if study.result["morris"] else 1]
-    drawn, panels = new_figure(len(study.figures), len(kinds), figsize=(4.8 * len(kinds), 2.2 * len(study.figures)), squeeze=False)
+    drawn, panels = new_figure(len(study.figures), len(kinds), figsize=(4.8 * len(kinds), 2.2 * len(study.figures)),
+                               squeeze=False)
     for row, figure in zip(panels, study.figures):
         for axes, kind in zip(row, kinds):
             draw_effects(axes, study, figure, kind)

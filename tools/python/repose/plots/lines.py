@@ -14,7 +14,8 @@ def draw_runs_over(axes, study, parameter, figure, factor):
             value = grid[figure][row]
             if value != value or grid["state"][row] == "failed" or (level is not None and grid["level"][row] != level):
                 continue
-            axes.plot([grid[parameter][row]], [factor * value], LEVEL_MARKS[n % len(LEVEL_MARKS)], color="0.4", markersize=4,
+            axes.plot([grid[parameter][row]], [factor * value], LEVEL_MARKS[n % len(LEVEL_MARKS)], color="0.4",
+                      markersize=4,
                       label=label, gid=f"run-{row}")
             label = None
 
@@ -35,7 +36,8 @@ def draw_line(axes, study, observable, parameter):
 
 
 def line(study, figure, parameter):
-    """One figure of a `Calibration` over one parameter; the marks of runs have the `gid` "run-" and their row in the grid."""
+    """One figure of a `Calibration` over one parameter; the marks of runs have the `gid` "run-" and their row in the
+    grid."""
     drawn, axes = new_figure(figsize=(4.6, 3.4))
     draw_line(axes, study, next(o for o in study.estimate["observables"] if o["figure"] == figure), parameter)
     return drawn

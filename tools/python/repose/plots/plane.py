@@ -10,7 +10,8 @@ LEVEL_MARKS = "osD^v"
 def mark_points(axes, points, marker, name, **style):
     """One mark for each point of {(x, y): gid}, one entry of the legend for all."""
     for number, (point, gid) in enumerate(points.items()):
-        axes.plot(*point, marker, color="0.25", label=None if number else name, gid=gid, clip_on=False, linestyle="none", **style)
+        axes.plot(*point, marker, color="0.25", label=None if number else name, gid=gid, clip_on=False,
+                  linestyle="none", **style)
 
 
 def points_where(study, chosen):
@@ -24,13 +25,14 @@ def points_where(study, chosen):
 
 
 def draw_runs(axes, study, figure):
-    """Dots where the figure was found, with a mark of its own for each level; crosses where runs were plugged, had none, or
-    failed. The last level's are full."""
+    """Dots where the figure was found, with a mark of its own for each level; crosses where runs were plugged, had
+    none, or failed. The last level's are full."""
     grid = study.grid
     state, has_value = grid["state"], grid[figure] == grid[figure]
     found = (state == "done") & has_value
     for n, level in enumerate(study.levels):
-        mark_points(axes, points_where(study, found & (grid["level"] == level)), LEVEL_MARKS[n % len(LEVEL_MARKS)], level,
+        mark_points(axes, points_where(study, found & (grid["level"] == level)), LEVEL_MARKS[n % len(LEVEL_MARKS)],
+                    level,
                     markersize=5, fillstyle="full" if n + 1 == len(study.levels) else "none")
     marks = (("o", "run", found if not study.levels else found & False, 4), ("x", "plugged", state == "plugged", 7),
              ("+", "no value", (state == "done") & ~has_value, 7), ("1", "failed", state == "failed", 7))
@@ -46,7 +48,8 @@ def draw_cheap_level(axes, study, figure):
     name = study.levels[0]
     if figure is None:
         if alone.misfit.min() <= alone.limit < alone.misfit.max():
-            axes.contour(alone.x, alone.y, alone.misfit, levels=[alone.limit], colors=[CHEAP], linewidths=1.0, linestyles=":")
+            axes.contour(alone.x, alone.y, alone.misfit, levels=[alone.limit], colors=[CHEAP], linewidths=1.0,
+                         linestyles=":")
             axes.plot([], [], ":", color=CHEAP, label=f"region of {name} alone")
         return
     for n, line in enumerate(alone.laboratory_lines[figure]):
@@ -58,7 +61,8 @@ def draw_laboratory(axes, surfaces, observable, factor, colour=LABORATORY):
     error = 2.0 * observable["standard_error"]
     low, high = (factor * (observable["laboratory"] + side * error) for side in (-1, 1))
     if high > low:
-        axes.contourf(surfaces.x, surfaces.y, factor * surfaces.mean[observable["figure"]], levels=[low, high], colors=[colour],
+        axes.contourf(surfaces.x, surfaces.y, factor * surfaces.mean[observable["figure"]], levels=[low, high],
+                      colors=[colour],
                       alpha=0.2)
     for n, line in enumerate(surfaces.laboratory_lines[observable["figure"]]):
         axes.plot(*line.T, "--", color=colour, linewidth=1.5, label=None if n else "laboratory")
@@ -114,8 +118,8 @@ def name_axes(axes, study):
 
 
 def contours(study, figure):
-    """The surface of one figure of a `Calibration` over two parameters. The marks of runs have the `gid` "run-" and their rows
-    in the grid: "run-4-5"."""
+    """The surface of one figure of a `Calibration` over two parameters. The marks of runs have the `gid` "run-" and
+    their rows in the grid: "run-4-5"."""
     observable = next(o for o in study.estimate["observables"] if o["figure"] == figure)
     drawn, axes = new_figure(figsize=(4.6, 4.2))
     draw_figure(axes, study, observable)

@@ -5,7 +5,8 @@ from repose.plots.style import HEIGHT, WIDTH, new_figure, styled
 
 @styled
 def search(study):
-    """The widest interval of the region over its range, after each batch of a `Calibration`; None when it was no search."""
+    """The widest interval of the region over its range, after each batch of a `Calibration`; None when it was no
+    search."""
     found = study.search
     if found is None:
         return None

@@ -2,9 +2,16 @@
 
 import html as standard
 
+from repose.units import words
+
 
 def escape(text):
     return standard.escape(str(text), quote=True)
+
+
+def word(name):
+    """A name of a deck, as it is read."""
+    return escape(words(name))
 
 
 def element(tag, content="", **attributes):
@@ -24,9 +31,11 @@ def line(name, content):
 
 
 def table(head, rows, class_=None, numeric=()):
-    """A table of cells in HTML; with the class "sortable" a click on its head sorts it. Columns in `numeric` stand right."""
+    """A table of cells in HTML; with the class "sortable" a click on its head sorts it. Columns in `numeric` stand
+    right."""
     def cells(tag, row):
-        return "".join(element(tag, cell, class_="number" if k in numeric else None, scope="col" if tag == "th" else None)
+        scope = "col" if tag == "th" else None
+        return "".join(element(tag, cell, class_="number" if k in numeric else None, scope=scope)
                        for k, cell in enumerate(row))
     body = "".join(element("tr", cells("td", row)) for row in rows)
     top = element("thead", element("tr", cells("th", head))) if head else ""

@@ -1,5 +1,5 @@
-"""Numbers as a person reads them, with no more digits than their uncertainty allows. The exact value of the file stays with each,
-in `<data value="...">` and, with its key, in the text that appears under the pointer."""
+"""Numbers as a person reads them, with no more digits than their uncertainty allows. The exact value of the file stays
+with each, in `<data value="...">` and, with its key, in the text that appears under the pointer."""
 
 import math
 
@@ -97,3 +97,13 @@ def duration(seconds):
 def quantity(name):
     """A figure's name with its unit."""
     return named(name)[0]
+
+
+def name(figure):
+    """A figure's name for HTML."""
+    return escape(display(figure)[0])
+
+
+def count(number):
+    """A whole number."""
+    return data(str(number), number)

@@ -39,7 +39,7 @@ def figures_table(run, names=None):
     """The figures of a run that have a value, by name."""
     names = names or [name for name, value in run.figures.items()
                       if value is not None and "stderr" not in name and not name.endswith(".error")]
-    rows = [[html.escape(numbers.display(name)[0]), numbers.figure(name, run.figure(name), run.error(name)),
+    rows = [[numbers.name(name), numbers.figure(name, run.figure(name), run.error(name)),
              f"<code>{html.escape(name)}</code>"] for name in names]
     return html.table(["figure", "value", "key"], rows, "sortable", numeric=(1,))
 
@@ -61,12 +61,14 @@ def machine():
                 names.add(line.split(":", 1)[1].strip())
     except OSError:
         names.add(platform.processor() or platform.machine())
-    return f"{', '.join(sorted(names)) or platform.machine()}, {os.cpu_count()} cores, {platform.system()} {platform.release()}"
+    processor = ", ".join(sorted(names)) or platform.machine()
+    return f"{processor}, {os.cpu_count()} cores, {platform.system()} {platform.release()}"
 
 
 def build_rows(build):
     """Version, commit and so on of the program that did the runs."""
-    return [(html.escape(name.replace("_", " ")), f"<code>{html.escape(value)}</code>") for name, value in build.items()]
+    return [(html.escape(name.replace("_", " ")), f"<code>{html.escape(value)}</code>")
+            for name, value in build.items()]
 
 
 def command_line(*words):
@@ -101,13 +103,16 @@ def run_warnings(run):
     """What a person has to know of a complete run."""
     summary, found = run.summary, []
     if summary.get("plugged"):
-        found.append("The orifice has plugged: the discharge came to an end with most grains above it. There is no angle of repose.")
+        found.append("The orifice has plugged: the discharge came to an end with most grains above it. There is no "
+                     "angle of repose.")
     for phase, deck in zip(summary["phases"], run.deck["phase"]):
         if phase["ended_by"] == "max_time" and deck.get("until") not in ("time", "steps"):
             found.append(f"Phase {html.escape(phase['name'])} was ended by its max_time, not by its condition "
                          f"({html.escape(deck['until'])}).")
-    if run.deck.get("measurement", {}).get("angle_of_repose") and summary.get("angle_of_repose_deg") is None and not summary.get("plugged"):
+    is_asked = "angle_of_repose" in run.deck.get("measurement", {})
+    if is_asked and summary.get("angle_of_repose_deg") is None and not summary.get("plugged"):
         found.append("The angle of repose was asked for, but there is no pile to measure.")
     if summary.get("restarts"):
-        found.append(f"The run was interrupted and went on {summary['restarts']} times; its state does not depend on that.")
+        found.append(f"The run was interrupted and went on {summary['restarts']} times; its state does not depend on "
+                     "that.")
     return found

@@ -14,14 +14,16 @@ def answer(run):
         return html.paragraph("There are no figures before the end of the run.")
     names = [name for name in FIRST if name in run.figures and run.figures[name] is not None][:4]
     if not names:
-        return html.paragraph(f"Done: {numbers.plain(run.summary['time_s'])} s simulated; nothing was measured.", "large")
-    lines = [html.line(numbers.display(name)[0], numbers.figure(name, run.figure(name), run.error(name))) for name in names]
+        return html.paragraph(f"Done: {numbers.plain(run.summary['time_s'])} s simulated; nothing was measured.",
+                              "large")
+    lines = [html.line(numbers.display(name)[0], numbers.figure(name, run.figure(name), run.error(name)))
+             for name in names]
     note = "± is the standard error within this run; what differs from seed to seed is not in it."
     return "".join(lines) + (html.paragraph(note, "none") if any(run.error(name) is not None for name in names) else "")
 
 
 def phases(run):
-    rows = [[html.escape(phase["name"]), numbers.data(str(phase["steps"]), phase["steps"]), html.escape(phase["ended_by"])]
+    rows = [[html.escape(phase["name"]), numbers.count(phase["steps"]), html.escape(phase["ended_by"])]
             for phase in run.summary["phases"]]
     return html.table(["phase", "steps", "ended by"], rows, numeric=(1,))
 
@@ -30,15 +32,16 @@ def asked(run):
     """What the deck describes."""
     deck = run.deck
     materials = ", ".join(html.escape(material["name"]) for material in deck.get("material", ()))
-    rows = [("materials", materials), ("walls", ", ".join(html.escape(wall["name"]) for wall in deck.get("wall", ())) or "none"),
+    walls = ", ".join(html.escape(wall["name"]) for wall in deck.get("wall", ()))
+    rows = [("materials", materials), ("walls", walls or "none"),
             ("phases", ", ".join(html.escape(phase["name"]) for phase in deck.get("phase", ()))),
-            ("measured", ", ".join(html.escape(numbers.display(name)[0]) for name in deck.get("measurement", {})) or "nothing"),
+            ("measured", ", ".join(numbers.name(name) for name in deck.get("measurement", {})) or "nothing"),
             ("seed", html.escape(deck.get("run", {}).get("seed", 1)))]
     if run.is_complete:
         summary = run.summary
         grains, step = summary["particles"], summary["timestep_s"]
         exits = ", ".join(f"{count} by {html.escape(name)}" for name, count in grains["exits"].items() if count)
-        rows += [("particles", f"{numbers.data(str(grains['inserted']), grains['inserted'])} inserted, {grains['inside']} inside, "
+        rows += [("particles", f"{numbers.count(grains['inserted'])} inserted, {grains['inside']} inside, "
                   f"{grains['left']} left" + (f" ({exits})" if exits else "")),
                  ("simulated", f"{numbers.number('time_s', summary['time_s'])} s in {summary['steps']} steps of "
                   f"{numbers.number('timestep_s', step)} s, set by {html.escape(summary['timestep_set_by'])}")]
@@ -52,7 +55,8 @@ def cost(run):
               for name, stage in summary["timing"]["stages"].items() if stage["mean_s"] is not None]
     return html.pairs([("wall time", f"{numbers.duration(summary['wall_seconds'])} on {summary['ranks']} ranks"),
                        ("speed", f"{speed} million particle-steps per second"),
-                       ("restarts", str(summary["restarts"]))]) + html.table(["stage", "mean over the ranks, s"], stages,
+                       ("restarts", str(summary["restarts"]))]) + html.table(["stage", "mean over the ranks, s"],
+                                                                             stages,
                                                                             "sortable", numeric=(1,))
 
 
@@ -60,9 +64,11 @@ def repeat(run):
     """Commands that do the run again, with its deck."""
     ranks, rows = 1, []
     if run.is_complete:
-        ranks, rows = run.summary["ranks"], [("hash of the state", f"<code>{run.summary['state_hash']}</code>"), ("ranks", str(run.summary["ranks"]))]
+        ranks = run.summary["ranks"]
+        rows = [("hash of the state", f"<code>{run.summary['state_hash']}</code>"), ("ranks", str(ranks))]
     launcher = ["mpirun", "-n", ranks] if ranks > 1 else []
-    commands = [parts.command_line(*launcher, "repose", "run", "deck.resolved.toml", "--output", run.directory.resolve().name)]
+    commands = [parts.command_line(*launcher, "repose", "run", "deck.resolved.toml", "--output",
+                                   run.directory.resolve().name)]
     return parts.repeat(run.build, commands, [("deck.resolved.toml", run.deck_text)], rows)
 
 
@@ -74,5 +80,5 @@ def report(run):
                 Section("pictures", "Pictures", parts.Pictures().of_run(run)),
                 Section("course", "Course of the run", parts.course(run, plots)),
                 Section("cost", "Cost", cost(run) if done else ""), repeat(run)]
-    return Report("run", run.title, answer(run), "" if done else parts.run_state(run), parts.run_warnings(run) if done else [],
-                  sections)
+    state, warnings = ("", parts.run_warnings(run)) if done else (parts.run_state(run), [])
+    return Report("run", run.title, answer(run), state, warnings, sections)

@@ -3,7 +3,14 @@
 from repose import plots
 from repose.report import html, numbers, parts, study, svg
 from repose.report.page import Report, Section
-from repose.units import words
+
+
+NO_EFFECT = '<span class="none">no effect above two standard errors</span>'
+
+
+def effect_text(figure, effect):
+    value = numbers.figure(figure, effect["effect"], effect["standard_error"])
+    return f"{html.word(effect['parameter'])} <b>{value}</b>"
 
 
 def matters(effect):
@@ -20,11 +27,11 @@ def answer(found):
     for figure in found.figures:
         effects = [e for e in found.effects(figure).values() if matters(e)]
         effects.sort(key=lambda e: -abs(e["effect"]))
-        told = "<br/>".join(f"{html.escape(words(e['parameter']))} <b>{numbers.figure(figure, e['effect'], e['standard_error'])}</b>"
-                            for e in effects) or '<span class="none">no effect above two standard errors</span>'
-        rows.append((html.escape(numbers.display(figure)[0]), told))
-    return html.pairs(rows) + html.paragraph("Effects from the lower to the upper value of a parameter, the others at their fixed values; those of "
-                                  "more than two standard errors, the greatest first.", "none")
+        told = "<br/>".join(effect_text(figure, e) for e in effects) or NO_EFFECT
+        rows.append((numbers.name(figure), told))
+    return html.pairs(rows) + html.paragraph(
+        "Effects from the lower to the upper value of a parameter, the others at their fixed values; those of more "
+        "than two standard errors, the greatest first.", "none")
 
 
 def sample(figure, found):
@@ -35,8 +42,9 @@ def tables(found):
     """All effects of each figure, to be sorted."""
     text = ""
     for figure in found.figures:
-        rows = [[html.escape(words(name)), sample(figure, e["lower"]), sample(figure, e["upper"]),
-                 numbers.figure(figure, e["effect"], e["standard_error"], with_unit=False)] for name, e in found.effects(figure).items()]
+        rows = [[html.word(name), sample(figure, e["lower"]), sample(figure, e["upper"]),
+                 numbers.figure(figure, e["effect"], e["standard_error"], with_unit=False)]
+                for name, e in found.effects(figure).items()]
         walks = found.morris(figure)
         head = ["parameter", "at the lower value", "at the upper value", "effect"]
         if walks:
@@ -48,20 +56,24 @@ def tables(found):
         text += html.element("h3", html.escape(numbers.quantity(figure)))
         if any(e["effect"] is not None for e in found.effects(figure).values()):
             kinds = ["one_at_a_time", "morris"] if walks else ["one_at_a_time"]
-            text += html.gallery([html.picture(svg.of_figure(plots.effect(found, figure, kind), f"effects on {figure}")) for kind in kinds])
+            text += html.gallery([html.picture(svg.of_figure(plots.effect(found, figure, kind),
+                                                             f"effects on {figure}")) for kind in kinds])
         text += html.table(head, rows, "sortable", numeric=range(1, len(head)))
-    return text + html.paragraph("± of values is their standard deviation from seed to seed, of effects the standard error.", "none")
+    return text + html.paragraph("± of values is their standard deviation from seed to seed, of effects the standard "
+                                 "error.", "none")
 
 
 def asked(found):
     deck = found.deck
-    rows = [("base deck", f"<code>{html.escape(deck['base'])}</code>"), ("seeds at each point", html.escape(deck.get("seeds", 1)))]
+    rows = [("base deck", f"<code>{html.escape(deck['base'])}</code>"),
+            ("seeds at each point", html.escape(deck.get("seeds", 1)))]
     if deck.get("set"):
         rows.append(("changed for all runs", ", ".join(f"<code>{html.escape(item)}</code>" for item in deck["set"])))
     if "morris" in deck:
-        rows.append(("walks of Morris", html.escape(", ".join(f"{key} = {value}" for key, value in deck["morris"].items()))))
-    ranges = [[html.escape(words(p["name"])), f"<code>{html.escape(p['key'])}</code>", html.escape(p["min"]), html.escape(p["fixed"]),
-               html.escape(p["max"])] for p in deck["parameter"]]
+        design = ", ".join(f"{key} = {value}" for key, value in deck["morris"].items())
+        rows.append(("walks of Morris", html.escape(design)))
+    ranges = [[html.word(p["name"]), f"<code>{html.escape(p['key'])}</code>", html.escape(p["min"]),
+               html.escape(p["fixed"]), html.escape(p["max"])] for p in deck["parameter"]]
     return html.pairs(rows) + html.table(["parameter", "key", "lower", "fixed", "upper"], ranges, numeric=(2, 3, 4))
 
 
@@ -69,7 +81,7 @@ def missing(found):
     """Figures of which there is no effect at all."""
     if not found.is_complete:
         return []
-    return [f"There is no effect on {html.escape(numbers.display(figure)[0])}: runs at the ends of the ranges have none."
+    return [f"There is no effect on {numbers.name(figure)}: runs at the ends of the ranges have none."
             for figure in found.figures if all(e["effect"] is None for e in found.effects(figure).values())]
 
 

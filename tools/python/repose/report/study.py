@@ -6,6 +6,8 @@ from repose.report import html, numbers, parts
 from repose.units import words
 
 MOST_BOXES = 200  # runs of which all figures are shown, and the pile if there is room
+UNDECIDED = (" There is no result: a search may still be deciding on its next points, or too few runs have the "
+             "figures; <code>repose estimate</code> says which.")
 MARK = {"failed": "bad", "plugged": "bad", "waiting": "none", "running": "none"}
 
 
@@ -18,7 +20,8 @@ class Runs:
         self.runs = [run if run is not None and run.is_complete else None for run in study.runs]
         self.folders = study.folders
         rows = range(self.grid.rows)
-        weight = {row: place for place, row in enumerate([*order, *(r for r in rows if self.grid["state"][r] == "failed")])}
+        failed = [row for row in rows if self.grid["state"][row] == "failed"]
+        weight = {row: place for place, row in enumerate([*order, *failed])}
         self.order = sorted(rows, key=lambda row: weight.get(row, self.grid.rows + row))
         self.boxed = set(self.order[:MOST_BOXES])
 
@@ -51,33 +54,40 @@ class Runs:
 
     def cells(self, row):
         state = self.grid["state"][row]
-        cells = [numbers.data(str(row + 1), row + 1) if row not in self.boxed else f'<a href="#run-{row}">{row + 1}</a>']
+        cells = [numbers.data(str(row + 1), row + 1) if row not in self.boxed
+                 else f'<a href="#run-{row}">{row + 1}</a>']
         if "level" in self.grid:
             cells.append(html.escape(self.grid["level"][row]))
-        cells += [numbers.data(f"{self.grid[name][row]:g}", float(self.grid[name][row])) for name in self.study.parameters]
+        cells += [numbers.data(f"{self.grid[name][row]:g}", float(self.grid[name][row]))
+                  for name in self.study.parameters]
         cells += [numbers.data(f"{self.grid['seed'][row]:g}", float(self.grid["seed"][row])),
                   html.element("span", html.escape(state), class_=MARK.get(state))]
         cells += [numbers.figure(figure, *self.value(row, figure), with_unit=False) for figure in self.figures]
         run = self.runs[row]
-        return cells + [numbers.data(numbers.plain(run.summary["wall_seconds"], 3), run.summary["wall_seconds"]) if run else ""]
+        seconds = run.summary["wall_seconds"] if run else None
+        return cells + [numbers.data(numbers.plain(seconds, 3), seconds) if run else ""]
 
     def table(self):
         """All of them, to be sorted."""
-        head = ["run", *(["level"] if "level" in self.grid else []), *map(words, self.study.parameters), "seed", "state",
+        head = ["run", *(["level"] if "level" in self.grid else []), *map(words, self.study.parameters), "seed",
+                "state",
                 *(numbers.quantity(figure) for figure in self.figures), "wall time, s"]
         first = 2 if "level" in self.grid else 1
         numeric = [k for k in range(first, len(head)) if head[k] != "state"]
-        return html.table([html.escape(h) for h in head], [self.cells(row) for row in range(self.grid.rows)], "sortable", numeric)
+        return html.table([html.escape(h) for h in head], [self.cells(row) for row in range(self.grid.rows)],
+                          "sortable", numeric)
 
     def boxes(self, pictures, shown=()):
-        """A box for each run, which links open; those that matter most get their pictures first, those `shown` have them elsewhere."""
+        """A box for each run, which links open; those that matter most get their pictures first, those `shown` have
+        them elsewhere."""
         content = {}
         for row in self.order[:MOST_BOXES]:
             run = self.runs[row]
             reason = self.grid["reason"][row]
             content[row] = html.paragraph(html.escape(reason), "bad") if reason else ""
             if run is None:
-                content[row] += html.paragraph(f"{html.escape(self.grid['state'][row])}: there is nothing to show.", "none")
+                content[row] += html.paragraph(f"{html.escape(self.grid['state'][row])}: there is nothing to show.",
+                                               "none")
             else:
                 content[row] += parts.figures_table(run)
                 content[row] += "" if row in shown else pictures.of_run(run, ("silhouette",))
@@ -93,20 +103,21 @@ def state(study):
     open_runs = states["running"] + states["waiting"]
     if study.is_complete and not open_runs:
         return ""
-    written = datetime.datetime.fromtimestamp((study.directory / "grid.csv").stat().st_mtime).strftime("%d %B %Y, %H:%M")
+    seconds = (study.directory / "grid.csv").stat().st_mtime
+    written = datetime.datetime.fromtimestamp(seconds).strftime("%d %B %Y, %H:%M")
     total = sum(states.values())
     ended = total - open_runs
     counts = ", ".join(f"{count} {name}" for name, count in states.items() if count)
     text = f"Not complete: {ended} of {total} runs have ended ({counts}), as of {written}."
     if not study.is_complete:
-        text += " There is no result yet." if open_runs else (" There is no result: a search may still be deciding on its next points, or "
-                                                              "too few runs have the figures; <code>repose estimate</code> says which.")
+        text += " There is no result yet." if open_runs else UNDECIDED
     return parts.progress_bar(ended / total if total else 0.0, text)
 
 
 def links(runs, rows, most=12):
     """To runs, by their numbers."""
-    shown = ", ".join(f'<a href="#run-{row}">{row + 1}</a>' if runs.has_box(row) else str(row + 1) for row in rows[:most])
+    shown = ", ".join(f'<a href="#run-{row}">{row + 1}</a>' if runs.has_box(row) else str(row + 1)
+                      for row in rows[:most])
     return shown + (f" and {len(rows) - most} more" if len(rows) > most else "")
 
 
@@ -118,11 +129,14 @@ def warnings(runs):
             found.append(f"Run {links(runs, [row])} failed: {html.escape(grid['reason'][row])}")
     plugged = [row for row in range(grid.rows) if grid["state"][row] == "plugged"]
     if plugged:
-        found.append(f"{len(plugged)} of {grid.rows} runs plugged: {links(runs, plugged)}. They count for masses and for no other figure.")
+        found.append(f"{len(plugged)} of {grid.rows} runs plugged: {links(runs, plugged)}. They count for masses and "
+                     "for no other figure.")
     for figure in runs.figures:
-        without = [row for row in range(grid.rows) if grid["state"][row] == "done" and runs.value(row, figure)[0] is None]
+        without = [row for row in range(grid.rows) if grid["state"][row] == "done"
+                   and runs.value(row, figure)[0] is None]
         if without:
-            found.append(f"No {html.escape(numbers.display(figure)[0])} in {len(without)} of the runs that are done: {links(runs, without)}.")
+            found.append(f"No {numbers.name(figure)} in {len(without)} of the runs that are done: "
+                         f"{links(runs, without)}.")
     return found
 
 
@@ -132,14 +146,16 @@ def repeat(study, runs, command, nearest):
     build = complete[0].summary["build"] if complete else {}
     ranks = max((run.summary["ranks"] for run in complete), default=1)
     seconds = sum(run.summary["wall_seconds"] * run.summary["ranks"] for run in complete)
-    rows = [("processor time", f"{numbers.duration(seconds)} of all runs together"), ("ranks of a run", f"at most {ranks}")]
+    rows = [("processor time", f"{numbers.duration(seconds)} of all runs together"),
+            ("ranks of a run", f"at most {ranks}")]
     name = study.directory.resolve().name
     commands = [parts.command_line("mpirun", "-n", max(2, ranks), "repose", command, study.deck_file, "--output", name)]
     decks = [(study.deck_file + f" (its base is {study.deck['base']}, relative to where it was)", study.deck_text)]
     if nearest:
         run, folder = nearest
         rows.append(("hash of that run's state", f"<code>{run.summary['state_hash']}</code>"))
-        commands.append(parts.command_line("repose", "run", f"{folder.relative_to(study.directory)}/deck.resolved.toml", "--output",
+        commands.append(parts.command_line("repose", "run",
+                                           f"{folder.relative_to(study.directory)}/deck.resolved.toml", "--output",
                                            "nearest"))
         decks.append(("the resolved deck of the run nearest the answer", run.deck_text))
     return parts.repeat(build, commands, decks, rows)

@@ -1,4 +1,5 @@
-"""Pictures within the page: matplotlib's figures and the program's own SVG, made small and free of one another's names."""
+"""Pictures within the page: matplotlib's figures and the program's own SVG, made small and free of one another's
+names."""
 
 import io
 import itertools
@@ -66,14 +67,15 @@ def halo(mark):
     """A ring about a mark to point at, which a fingertip meets, too."""
     use = next(mark.iter("use"), None)
     if use is not None and use.get("x"):
-        return tree.Element("circle", {"class": "halo", "cx": use.get("x"), "cy": use.get("y"), "r": "9", "fill": "#fff",
+        return tree.Element("circle", {"class": "halo", "cx": use.get("x"), "cy": use.get("y"), "r": "9",
+                                       "fill": "#fff",
                                        "fill-opacity": "0"})
     return None
 
 
 def link_runs(root, runs, is_there):
-    """Makes links of the marks whose id begins with "run-": to the first of their runs, with what `runs` says of them, if
-    something `is_there` to be shown."""
+    """Makes links of the marks whose id begins with "run-": to the first of their runs, with what `runs` says of them,
+    if something `is_there` to be shown."""
     for parent in list(root.iter()):
         for place, node in enumerate(list(parent)):
             rows = re.fullmatch(r"run-(\d+(?:-\d+)*)", node.get("id", ""))
@@ -155,7 +157,8 @@ def shrink_discs(root):
                                     "stroke-width": f"{rim:.1f}"})
                 parent.set("stroke-width", f"{rim:.1f}")
             else:
-                kept.append(tree.Element("circle", {"cx": f"{x:.1f}", "cy": f"{y:.1f}", "r": f"{r:.1f}", "fill": colour}))
+                kept.append(tree.Element("circle",
+                                         {"cx": f"{x:.1f}", "cy": f"{y:.1f}", "r": f"{r:.1f}", "fill": colour}))
         parent[:] = kept
         for circle in kept:  # what they have in common stands above them
             if circle.tag == "circle" and circle.get("stroke-width") == parent.get("stroke-width"):

@@ -7,8 +7,12 @@ from repose.report import html, numbers, parts, svg
 from repose.report.page import Report, Section
 
 
+NOTHING = '<span class="none">-</span>'
+
+
 def deviations(comparison):
-    """By how many standard deviations, of the laboratory and of this run together, a figure is off; None without one."""
+    """By how many standard deviations, of the laboratory and of this run together, a figure is off; None without
+    one."""
     here, error, deviation = comparison["here"], comparison["error"], comparison["deviation"]
     if here is None or deviation is None:
         return None
@@ -19,7 +23,7 @@ def deviations(comparison):
 def share(value, comparison):
     """Difference from the laboratory, in per cent of it."""
     if value is None or comparison["laboratory"] == 0.0:
-        return '<span class="none">-</span>'
+        return NOTHING
     percent = 100.0 * (value / comparison["laboratory"] - 1.0)
     return numbers.data(f"{percent:+.1f} %", percent)
 
@@ -29,8 +33,9 @@ def cells(name, comparison):
     return [html.escape(name), html.escape(numbers.quantity(figure)),
             numbers.figure(figure, comparison["here"], comparison["error"], with_unit=False),
             numbers.figure(figure, comparison["laboratory"], comparison["deviation"], with_unit=False),
-            share(comparison["here"], comparison), numbers.signed(off, 1) if off is not None else '<span class="none">-</span>',
-            numbers.figure(figure, comparison["published"], with_unit=False), share(comparison["published"], comparison)]
+            share(comparison["here"], comparison), NOTHING if off is None else numbers.signed(off, 1),
+            numbers.figure(figure, comparison["published"], with_unit=False),
+            share(comparison["published"], comparison)]
 
 
 def comparisons(found):
@@ -44,14 +49,16 @@ def answer(found):
     off = [abs(d) for _, c in all_of_them if (d := deviations(c)) is not None]
     within = sum(d <= 2.0 for d in off)
     without = sum(c["here"] is None for _, c in all_of_them)
-    text = html.paragraph(f"{within} of {len(off)} figures are within two standard deviations of the laboratory" if off else
-                          "The laboratory's deviations are not known", "large")
+    agreement = (f"{within} of {len(off)} figures are within two standard deviations of the laboratory" if off else
+                 "The laboratory's deviations are not known")
+    text = html.paragraph(agreement, "large")
     if without:
         text += html.paragraph(f"{without} of {len(all_of_them)} figures have no value here.")
     head = ["case", "figure", "here", "laboratory", "difference", "off by, σ",
             html.escape(found.result["published"] or "published"), "difference"]
     return text + html.table(head, [cells(*c) for c in all_of_them], "sortable", numeric=range(2, 8)) + html.paragraph(
-        "± of the laboratory is its standard deviation, ± here the standard error within the run; σ is both together.", "none")
+        "± of the laboratory is its standard deviation, ± here the standard error within the run; σ is both together.",
+        "none")
 
 
 def warnings(found):
@@ -61,14 +68,16 @@ def warnings(found):
             listed += [f"{html.escape(name)}: {text}" for text in parts.run_warnings(run)]
     if found.is_complete:
         for name, c in comparisons(found):
-            if c["here"] is None and not c["figure"].startswith("angle_of_repose"):  # which the run's own warnings explain
-                listed.append(f"{html.escape(name)} has no {html.escape(numbers.display(c['figure'])[0])}.")
+            if c["here"] is None and not c["figure"].startswith("angle_of_repose"):  # which the run's warnings explain
+                listed.append(f"{html.escape(name)} has no {numbers.name(c['figure'])}.")
     return listed
 
 
 def differences(found):
     """A picture of all figures over the laboratory's, with its deviations."""
     from repose.plots.style import WIDTH, new_figure
+    if not found.is_complete:
+        return ""
     shown = [(name, c) for name, c in comparisons(found) if c["here"] is not None and c["laboratory"]]
     if not shown:
         return ""
@@ -76,13 +85,16 @@ def differences(found):
     for place, (name, c) in enumerate(shown):
         over = 100.0 / abs(c["laboratory"])
         here, error = (c["here"] - c["laboratory"]) * over, (c["error"] or 0.0) * over
-        axes.barh(place, 2.0 * (c["deviation"] or 0.0) * over, left=-(c["deviation"] or 0.0) * over, color="0.85", height=0.35,
+        axes.barh(place, 2.0 * (c["deviation"] or 0.0) * over, left=-(c["deviation"] or 0.0) * over, color="0.85",
+                  height=0.35,
                   label=None if place else "laboratory ± deviation")
-        axes.errorbar(here, place, xerr=error, fmt="o", color="tab:blue", capsize=3, label=None if place else "here ± standard error")
+        axes.errorbar(here, place, xerr=error, fmt="o", color="tab:blue", capsize=3,
+                      label=None if place else "here ± standard error")
         if c["published"] is not None:
             axes.plot((c["published"] - c["laboratory"]) * over, place, "D", color="tab:orange", markersize=4,
                       label=None if place else found.result["published"] or "published")
-        axes.text(0.01, place - 0.36, f"{name}: {numbers.display(c['figure'])[0]}", fontsize=8, transform=axes.get_yaxis_transform())
+        axes.text(0.01, place - 0.36, f"{name}: {numbers.display(c['figure'])[0]}", fontsize=8,
+                  transform=axes.get_yaxis_transform())
     axes.axvline(0.0, color="black", linewidth=0.8)
     axes.set(yticks=[], ylim=(len(shown) - 0.5, -0.75), xlabel="difference from the laboratory, %")
     axes.legend(fontsize=7, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, frameon=False)
@@ -103,21 +115,26 @@ def state(found):
         return ""
     runs = found.runs
     done = sum(run.is_complete for run in runs.values())
-    return html.paragraph(f"Not complete: {done} of {len(runs)} cases that have begun are done. There is no comparison yet.")
+    return html.paragraph(f"Not complete: {done} of {len(runs)} cases that have begun are done. There is no comparison "
+                          "yet.")
 
 
 def repeat(found):
     runs = {name: run for name, run in found.runs.items() if run.is_complete}
     build = found.result["build"] if found.is_complete else next((run.summary["build"] for run in runs.values()), {})
-    rows = [(f"hash of {html.escape(name)}", f"<code>{run.summary['state_hash']}</code>, {numbers.duration(run.summary['wall_seconds'])} on "
+    rows = [(f"hash of {html.escape(name)}",
+             f"<code>{run.summary['state_hash']}</code>, {numbers.duration(run.summary['wall_seconds'])} on "
              f"{run.summary['ranks']} ranks") for name, run in runs.items()]
-    commands = [parts.command_line("repose", "run", f"{name}/deck.resolved.toml", "--output", f"again/{name}") for name in found.runs]
-    return parts.repeat(build, commands, [(f"{name}/deck.resolved.toml", run.deck_text) for name, run in found.runs.items()], rows)
+    commands = [parts.command_line("repose", "run", f"{name}/deck.resolved.toml", "--output", f"again/{name}")
+                for name in found.runs]
+    return parts.repeat(build, commands, [(f"{name}/deck.resolved.toml", run.deck_text)
+                                          for name, run in found.runs.items()], rows)
 
 
 def report(found):
     """The `Report` of a `Validation`."""
     pictures = parts.Pictures()
-    sections = [Section("differences", "Differences from the laboratory", differences(found) if found.is_complete else ""),
-                Section("cases", "Cases", "".join(case_html(name, run, pictures) for name, run in found.runs.items())), repeat(found)]
+    cases = "".join(case_html(name, run, pictures) for name, run in found.runs.items())
+    sections = [Section("differences", "Differences from the laboratory", differences(found)),
+                Section("cases", "Cases", cases), repeat(found)]
     return Report("validation", found.title, answer(found), state(found), warnings(found), sections)

@@ -158,6 +158,8 @@ class Report(unittest.TestCase):
         mark = next(node for node in marks if node.get("href") == "#run-0")
         self.assertIn("sliding 0.1, restitution 0.2, seed 1", mark.find("title").text)
         self.assertIn("sliding 0.1, restitution 0.2, seed 2", mark.find("title").text)
+        near = Calibration(output).nearest_runs[0]
+        self.assertIn(f"#pile-{near}", [node.get("href") for node in page.section(f"run-{near}").iter("a")])
         values = page.values("runs")
         for figure in ("discharged_mass_kg", "retained_mass_kg"):
             self.assertLessEqual({v for v in grid[figure] if v == v}, set(values))

@@ -19,7 +19,8 @@ def main():
     try:
         from repose import ReposeError, report
     except ModuleNotFoundError as error:
-        print(f"repose: report needs the Python module {error.name}; install it ({DEBIAN})", file=sys.stderr)
+        print(f"repose: report needs the Python module {error.name}; install it ({DEBIAN}), or name "
+              "in REPOSE_PYTHON a Python that has it", file=sys.stderr)
         return FAILED
     try:
         print(report.write(chosen.directory, chosen.output))

@@ -155,7 +155,7 @@ def levels(found):
 
 
 def pictures_of_nearest(found, runs, pictures, rows):
-    return "".join(html.element("h3", html.escape(runs.name(row))) + pictures.of_run(runs.runs[row]) +
+    return "".join(html.element("h3", html.escape(runs.name(row)), id=f"pile-{row}") + pictures.of_run(runs.runs[row]) +
                    parts.course(runs.runs[row], plots) * (row == rows[0]) for row in rows)
 
 

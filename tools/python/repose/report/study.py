@@ -90,7 +90,7 @@ class Runs:
                                                "none")
             else:
                 content[row] += parts.figures_table(run)
-                content[row] += "" if row in shown else pictures.of_run(run, ("silhouette",))
+                content[row] += above(row) if row in shown else pictures.of_run(run, ("silhouette",))
         return "".join(html.details(f"run {row + 1}: {html.escape(self.name(row))}", content[row], id_=f"run-{row}")
                        for row in sorted(self.boxed))
 
@@ -112,6 +112,10 @@ def state(study):
     if not study.is_complete:
         text += " There is no result yet." if open_runs else UNDECIDED
     return parts.progress_bar(ended / total if total else 0.0, text)
+
+
+def above(row):
+    return html.paragraph(f'<a href="#pile-{row}">Its pictures</a> are among those nearest the answer.')
 
 
 def links(runs, rows, most=12):

@@ -4,9 +4,11 @@ import json
 import pathlib
 import platform
 import subprocess
+import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "tools" / "python"))  # of the package repose, for all that import this
 
 
 def machine():

@@ -14,11 +14,12 @@ import argparse
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "python"), os.path.join(HERE, "..", "python")]  # of the source, installed
 sys.dont_write_bytecode = True
 
 from paraview import simple  # noqa: E402
-from wall_surfaces import vtp_of, wall_surfaces  # noqa: E402
+from repose.walls import vtp_of, wall_surfaces  # noqa: E402
 
 GREY, SIZE = (0.62, 0.66, 0.72), (1200, 1000)
 COLOURS = ((0.0, (0.82, 0.69, 0.47)), (0.5, (0.35, 0.56, 0.66)), (1.0, (0.04, 0.22, 0.55)))  # sand at rest to blue

@@ -4,14 +4,13 @@
 RESULT.json is what `repose thermal TOOL --output DIR` or `repose compare --output DIR` has written; the picture is
 RESULT.png in the same folder.
 """
-import json
 import os
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first: there need not be a screen)
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "python"), os.path.join(HERE, "..", "python")]  # of the source, installed
+from repose.files import ReposeError, read_json  # noqa: E402
+from repose.plots.style import new_figure  # noqa: E402
 
 
 def column(rows, key):
@@ -146,18 +145,15 @@ PANELS = {"network": (1, 2), "tps": (1, 2), "sensor": (2, 2)}  # rows and column
 
 def plot(path):
     """The path of the picture, which appears whole or not at all."""
-    with open(path, encoding="utf-8") as file:
-        result = json.load(file)
+    result = read_json(path)
     rows, columns = PANELS.get(result["tool"], (1, 1))
-    figure, axes = plt.subplots(rows, columns, figsize=(4 + 3 * columns, 4.5 * rows), squeeze=False)
+    figure, axes = new_figure(rows, columns, figsize=(4 + 3 * columns, 4.5 * rows), squeeze=False)
     DRAW[result["tool"]](result, *axes.flat)
     figure.suptitle(result["title"], fontsize=10)
     axes[0][0].legend(fontsize=7)
-    figure.tight_layout()
     picture = os.path.splitext(path)[0] + ".png"
     figure.savefig(picture + ".partial", format="png", dpi=150)
     os.replace(picture + ".partial", picture)
-    plt.close(figure)
     return picture
 
 
@@ -167,7 +163,7 @@ def main():
     for path in sys.argv[1:]:
         try:
             print(plot(path))
-        except (OSError, ValueError, KeyError, TypeError) as error:
+        except (ReposeError, OSError, ValueError, KeyError, TypeError) as error:
             sys.exit(f"{path}: not a result of a thermal tool, or not to be read: {error!r}")
 
 

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Prints the measured figures of a run. Usage: tools/print_summary.py DIR/summary.json"""
-import json
+"""Prints the measured figures of a run. Usage: tools/print_summary.py DIR/summary.json (or DIR)"""
+import os
 import sys
 
-
-UNITS = (("_kg_s", "g/s", 1e3), ("_kg", "g", 1e3), ("_deg", "deg", 1.0), ("_m", "mm", 1e3), ("_s", "s", 1.0))
-NOT_MEASURED = ("time_s", "timestep_s")  # numbers of the run, not of the grains
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "python"), os.path.join(HERE, "..", "python")]  # of the source, installed
+import repose  # noqa: E402
+from repose.units import display  # noqa: E402
 
 
 def text(value, unit, scale=1.0):
@@ -13,18 +14,16 @@ def text(value, unit, scale=1.0):
     return "-" if value is None else f"{scale * value:.4g} {unit}"
 
 
-def measured(summary):
-    """Pairs of a figure's name and its printed value: every key that ends in a unit and has a value, with its error."""
-    for key, value in summary.items():
-        unit = next((u for u in UNITS if key.endswith(u[0])), None)
-        if unit is None or key in NOT_MEASURED or "_stderr" in key or value is None:
+def measured(run):
+    """Pairs of a figure's name and its printed value: every figure with a unit and a value, with its error."""
+    for key, value in run.figures.items():
+        name, unit, scale = display(key)
+        unit = unit.replace("degrees", "deg")
+        if not unit or "." in key or key == "time_s" or "_stderr" in key or value is None:
             continue
-        ending, name, scale = unit
-        printed = text(value, name, scale)
-        error = summary.get(f"{key[:-len(ending)]}_stderr{ending}")
-        if error is not None:
-            printed += f" +- {scale * error:.2g} {name} (standard error)"
-        yield key[:-len(ending)].replace("_", " "), printed
+        error = run.error(key)
+        yield name, text(value, unit, scale) + (f" +- {scale * error:.2g} {unit} (standard error)" if error is not None
+                                                else "")
 
 
 def grains(area):
@@ -38,12 +37,13 @@ def scattering_rows(scattering):
     yield "grains off the plate", str(scattering["off_plate"])
 
 
-def rows(summary):
+def rows(run):
+    summary = run.summary
     particles = summary["particles"]
     yield "status", summary["status"] + (", orifice plugged" if summary.get("plugged") else "")
     yield "particles", f"{particles['inserted']} inserted = {particles['inside']} inside + {particles['left']} left"
     yield "simulated time", f"{text(summary['time_s'], 's')} in {summary['steps']} steps"
-    yield from measured(summary)
+    yield from measured(run)
     if summary.get("scattering") is not None:
         yield from scattering_rows(summary["scattering"])
     yield "wall time", f"{text(summary['wall_seconds'], 's')} on {summary['ranks']} ranks"
@@ -52,10 +52,11 @@ def rows(summary):
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    with open(sys.argv[1], encoding="utf-8") as file:
-        summary = json.load(file)
-    for name, value in rows(summary):
-        print(f"{name:<28}{value}")
+    try:
+        for name, value in rows(repose.Run(sys.argv[1].removesuffix("summary.json") or ".")):
+            print(f"{name:<28}{value}")
+    except repose.ReposeError as error:
+        sys.exit(f"print_summary.py: {error}")
 
 
 if __name__ == "__main__":

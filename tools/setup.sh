@@ -13,9 +13,10 @@ export PATH="/usr/sbin:/usr/bin:/sbin:/bin:$PATH"
 
 # shellcheck disable=SC2034  # read by the scripts that source this file
 build_packages=(g++ cmake ninja-build pkg-config git libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libeigen3-dev
-  libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcairo2-dev libleptonica-dev libexif-dev libboost-dev zlib1g-dev libgtest-dev python3)
+  libcli11-dev libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcairo2-dev libleptonica-dev libexif-dev libboost-dev
+  zlib1g-dev libgtest-dev python3 python3-numpy python3-h5py python3-matplotlib)
 # shellcheck disable=SC2034
-test_packages=(python3-matplotlib python3-numpy python3-h5py python3-vtk9 valgrind clang libclang-rt-14-dev
+test_packages=(python3-vtk9 valgrind clang libclang-rt-14-dev
   groff-base)
 # The test of the job scripts is skipped without them.
 # shellcheck disable=SC2034

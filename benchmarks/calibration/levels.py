@@ -6,14 +6,14 @@ import json
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 from dataclasses import replace
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "tests" / "regression")]
 from laboratories import FRICTION, misfit_at  # noqa: E402
-from report import save  # noqa: E402
+from report import save  # noqa: E402  (and where the package is)
+import repose  # noqa: E402
 
 BASE = ROOT / "input" / "discharge_mini.toml"
 # Phases end when the grains are at rest, most of them sooner than at the deck's own times.
@@ -46,14 +46,10 @@ class Searches:
         self.base.write_text(text)
 
     def calibrate(self, name, text):
-        """Does what is missing of the runs of a deck and estimates; returns their directory."""
-        deck, output = self.work / f"{name}.toml", self.work / name
+        """Does what is missing of the runs of a deck and estimates."""
+        deck = self.work / f"{name}.toml"
         deck.write_text(text)
-        done = subprocess.run(["mpirun", "-n", str(self.options.ranks), self.options.program, "calibrate", str(deck),
-                               "--output", str(output), "--quiet"], capture_output=True, text=True)
-        if done.returncode != 0:
-            raise SystemExit(done.stderr.strip())
-        return output
+        return repose.calibrate(deck, self.work / name, ranks=self.options.ranks, program=self.options.program)
 
     def search(self, name, laboratory, start, half_width, levels=""):
         """Estimate and particle-steps of a search that stops at this half-width or at the budget. Its first batch is the
@@ -61,13 +57,13 @@ class Searches:
         adaptive = {"start": start, "batch": 2, "budget_core_hours": self.options.budget}
         begun = self.calibrate(f"start_{name.split('_')[0]}",
                                STUDY.search(self.base, laboratory, adaptive | {"half_width": ANY_WIDTH}) + levels)
-        shutil.copytree(begun / "runs", self.work / name / "runs", dirs_exist_ok=True)
-        output = self.calibrate(name, STUDY.search(self.base, laboratory, adaptive | {"half_width": half_width}) + levels)
-        return json.loads((output / "estimate.json").read_text()), particle_steps(output)
+        shutil.copytree(begun.directory / "runs", self.work / name / "runs", dirs_exist_ok=True)
+        found = self.calibrate(name, STUDY.search(self.base, laboratory, adaptive | {"half_width": half_width}) + levels)
+        return found.estimate, particle_steps(found)
 
 
-def particle_steps(output):
-    summaries = [json.loads(path.read_text()) for path in output.glob("runs/**/summary.json")]
+def particle_steps(calibration):
+    summaries = [run.summary for run in calibration.runs if run is not None and run.is_complete]
     return sum(s["steps"] * s["particles"]["inserted"] for s in summaries)
 
 
@@ -91,7 +87,7 @@ def main():
     searches = Searches(options)
     rows = rows_so_far(options)
     if not rows:
-        values = STUDY.laboratory_values(searches.calibrate("hidden", STUDY.laboratories(searches.base)))
+        values = STUDY.laboratory_values(searches.calibrate("hidden", STUDY.laboratories(searches.base)).directory)
         rows = [{"hidden": hidden, "laboratory": laboratory} for hidden, laboratory in zip(STUDY.hidden, values)]
         save(options.results / "levels.json", rows=rows)
     for kind, levels in (("levels", LEVELS), ("alone", "")):

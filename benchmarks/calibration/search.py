@@ -2,17 +2,15 @@
 """How many runs a search saves against a full grid of the same confidence; see README.md."""
 
 import argparse
-import csv
-import json
 import os
 import pathlib
-import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "tests" / "regression")]
 from laboratories import FRICTION  # noqa: E402
-from report import save  # noqa: E402
+from report import save  # noqa: E402  (and where the package is)
+import repose  # noqa: E402
 
 BASE = ROOT / "input" / "discharge_quick.toml"
 
@@ -23,28 +21,20 @@ class Calibrations:
         self.work.mkdir(parents=True, exist_ok=True)
 
     def calibrate(self, name, text):
-        """Does what is missing of the runs of a deck and estimates; returns their directory."""
-        deck, output = self.work / f"{name}.toml", self.work / name
+        """Does what is missing of the runs of a deck and estimates."""
+        deck = self.work / f"{name}.toml"
         deck.write_text(text)
-        done = subprocess.run(["mpirun", "-n", str(self.options.ranks), self.options.program, "calibrate", str(deck),
-                               "--output", str(output), "--quiet"], capture_output=True, text=True)
-        if done.returncode != 0:
-            raise SystemExit(done.stderr.strip())
-        return output
-
-    def estimate(self, output):
-        return json.loads((output / "estimate.json").read_text())
+        return repose.calibrate(deck, self.work / name, ranks=self.options.ranks, program=self.options.program)
 
     def grid(self, laboratory):
         """What the whole grid's runs give with this laboratory."""
-        return self.estimate(self.calibrate("grid", FRICTION.grid(BASE, laboratory)))
+        return self.calibrate("grid", FRICTION.grid(BASE, laboratory)).estimate
 
     def search(self, number, laboratory, half_width):
         """The estimate of a search that stops at this half-width, and its runs."""
         adaptive = {"start": 9, "batch": 2, "budget": FRICTION.points(), "half_width": half_width}
-        output = self.calibrate(f"search_{number}", FRICTION.search(BASE, laboratory, adaptive))
-        with open(output / "grid.csv") as file:
-            return self.estimate(output), sum(1 for _ in csv.DictReader(file))
+        found = self.calibrate(f"search_{number}", FRICTION.search(BASE, laboratory, adaptive))
+        return found.estimate, found.grid.rows
 
 
 def compare(calibrations, number, laboratory):
@@ -67,7 +57,7 @@ def main():
     parser.add_argument("--ranks", type=int, default=len(os.sched_getaffinity(0)))
     options = parser.parse_args()
     calibrations = Calibrations(options)
-    values = FRICTION.laboratory_values(calibrations.calibrate("hidden", FRICTION.laboratories(BASE)))
+    values = FRICTION.laboratory_values(calibrations.calibrate("hidden", FRICTION.laboratories(BASE)).directory)
     rows = []
     for number, laboratory in enumerate(values):
         rows.append(compare(calibrations, number, laboratory))

@@ -1,15 +1,18 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """What checkpoints cost: `checkpoints.py --repose build/release/src/repose [--size 156000] [--ranks 2]`.
 
 Runs a bed in which every grain touches eight others (a settled one: five to six), writes a checkpoint every 200 steps, and
 prints the seconds of one, its size, and its share of a minute."""
 
 import argparse
-import json
 import random
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "python"))
+import repose  # noqa: E402
 
 DECK = """
 [domain]
@@ -75,7 +78,7 @@ def main():
             except subprocess.TimeoutExpired:
                 largest = max([largest, *(size_of(p) for p in output.glob("checkpoint_*.hdf"))])
         assert process.returncode == 0
-        timing = json.loads(Path(output, "summary.json").read_text())["timing"]
+        timing = repose.Run(output).summary["timing"]
     seconds = timing["checkpoints_wall_s"] / timing["checkpoints"]
     print(f"{grains} grains on {options.ranks} ranks: {timing['checkpoints']} checkpoints of {largest / 1e6:.0f} MB, "
           f"{seconds:.2f} s each: {100 * seconds / 60:.2f} % of a minute")

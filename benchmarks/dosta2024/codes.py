@@ -3,10 +3,9 @@
 import sys
 import tomllib
 
-import h5py
 import numpy as np
 
-from inputs import FOLDER, drum_triangles, from_snapshot, grains, turned, with_ball, write_data, write_stl
+from inputs import FOLDER, drum_triangles, from_snapshot, grains, repose as package, turned, with_ball, write_data, write_stl
 
 sys.path.insert(0, str(FOLDER.parent / "throughput"))
 import measure  # noqa: E402
@@ -41,7 +40,7 @@ def settled_silo(args, folder):
     output = folder / f"settled_{args.material}_{args.orifice}_{args.count}"
     if not (output / "summary.json").exists():
         run_repose(args, folder / "silo.toml", output, overrides)
-    return max(output.glob("run_*.hdf"))
+    return package.Run(output).snapshot_paths[-1]
 
 
 def log_of(output):
@@ -84,9 +83,8 @@ def liggghts(args, folder, output):
 
 def write_inputs(args, case, folder, output, domain):
     if case == "silo":
-        with h5py.File(settled_silo(args, folder)) as file:
-            position, velocity, radius = (file["particles"][name][...] for name in ("position", "velocity", "radius"))
-        state = position, velocity, radius, [args.material] * len(radius)
+        settled = package.Snapshot(settled_silo(args, folder))
+        state = settled.position, settled.velocity, settled.radius, [args.material] * len(settled)
         write_stl(output / "wall.stl", turned(silo_points(args.orifice)))
     elif case == "drum":
         position, radius, material = grains(case)

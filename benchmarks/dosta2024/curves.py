@@ -1,9 +1,8 @@
 """What is compared: curves that a run left behind, each a name and its times (s) and values."""
 
-import csv
-
-import h5py
 import numpy as np
+
+from inputs import repose
 
 ENERGIES = ("translational_energy_J", "rotational_energy_J")
 COLUMNS = {"KinEng": ENERGIES[0], "rotation": ENERGIES[1]}  # of the log of LIGGGHTS; the others keep their names
@@ -11,17 +10,13 @@ COLUMNS = {"KinEng": ENERGIES[0], "rotation": ENERGIES[1]}  # of the log of LIGG
 
 def snapshots(folder):
     """Time, position and material (by name) of each snapshot of a run, in the order of time."""
-    for path in sorted(folder.glob("run_*.hdf")):
-        with h5py.File(path) as file:
-            names = np.array([str(name) for name in file.attrs["materials"]])
-            yield float(file.attrs["time_s"]), file["particles/position"][...], names[file["particles/material"][...]]
+    for snapshot in repose.Run(folder).snapshots:
+        yield snapshot.time_s, snapshot.position, snapshot.material_names
 
 
 def repose_curves(case, folder):
     """The energies and what is left of the silo from series.csv, the rest from the snapshots."""
-    with open(folder / "series.csv") as file:
-        rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-    series = {key: np.array([row[key] for row in rows]) for key in rows[0]}
+    series = repose.Run(folder).series
     curves = {key: (series["time_s"], series[key]) for key in ENERGIES}
     if case == "silo":
         return {**curves, "left": (series["time_s"], left(folder, series))}
@@ -37,8 +32,7 @@ def repose_curves(case, folder):
 
 def left(folder, series):
     """Grains above the lip: all are of one mass."""
-    with h5py.File(min(folder.glob("run_*.hdf"))) as file:
-        mass = float(file["particles/mass"][0])
+    mass = float(repose.Run(folder).snapshots[0].mass[0])
     return np.round(series["particles"][0] - series["discharged_mass_kg"] / mass)
 
 

@@ -70,7 +70,7 @@ def cost(folder, steps, particles):
 def compare(args):
     name = args.name or args.case
     folder = args.work / name
-    summary = json.loads((folder / "repose" / "summary.json").read_text())
+    summary = inputs.repose.Run(folder / "repose").summary
     dt, particles = summary["timestep_s"], summary["particles"]["inserted"]
     ours = curves.repose_curves(args.case, folder / "repose")
     theirs = curves.liggghts_curves(folder / "liggghts", dt)

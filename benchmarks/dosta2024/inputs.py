@@ -4,10 +4,14 @@ import gzip
 import math
 import pathlib
 import shutil
+import sys
 
 import numpy as np
 
 FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parents[1] / "tools" / "python"))
+import repose  # noqa: E402,F401  (for the modules beside this one)
+
 COORDINATES = FOLDER / "coordinates"
 CASES = ("penetration", "drum", "silo")
 DENSITY = {"M1": 2500.0, "M2": 2000.0, "steel": 7200.0}  # kg/m3, as in the decks

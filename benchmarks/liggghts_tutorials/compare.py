@@ -24,8 +24,10 @@ import sys
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
 
-import h5py
 import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "python"))
+import repose  # noqa: E402
 
 PRIMES = [49979687, 67867967, 86028121, 104395301, 122949823, 141650939]  # none that the scripts have themselves
 # Commands without a counterpart whose lack does not change the figures, or that are made up for here.
@@ -79,19 +81,12 @@ def figures(position, velocity, mass, plane):
 
 
 def run_repose(arguments, deck_path, output, seed, overrides, plane):
-    command = [arguments.repose, "run", deck_path, "--output", output, "--quiet", "--set", f"run.seed={seed}",
-               "--set", "output.snapshot_interval=0"]
-    for override in overrides:
-        command += ["--set", override]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise RuntimeError(done.stderr.strip())
-    with open(os.path.join(output, "summary.json")) as file:
-        last = max(glob.glob(os.path.join(output, "run_*.hdf")), key=os.path.getmtime)
-        assert json.load(file)["status"]
-    with h5py.File(last) as file:
-        group = file["particles"]
-        return figures(group["position"][...], group["velocity"][...], group["mass"][...], plane)
+    sets = [f"run.seed={seed}", "output.snapshot_interval=0", *overrides]
+    try:
+        last = repose.run(deck_path, output, set=sets, program=arguments.repose).snapshots[-1]
+    except repose.ReposeError as error:
+        raise RuntimeError(str(error)) from None
+    return figures(last.position, last.velocity, last.mass, plane)
 
 
 def run_liggghts(arguments, script, folder, seed, plane):

@@ -5,7 +5,7 @@ import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
-from states import PHASE, launcher
+from states import PHASE, launcher, repose
 
 
 def deck_for(state, steps, name):
@@ -27,11 +27,12 @@ def output_of(words):
 def run(program, state, steps, ranks, name):
     """The summary of a run of so many steps; what an earlier one left in its place is removed."""
     folder, _, sets = state
-    options = [word for item in sets for word in ("--set", item)]
     output = folder / name
     shutil.rmtree(output, ignore_errors=True)
-    output_of([*launcher(ranks), str(program), "run", str(deck_for(state, steps, name)), "--output", str(output), "--quiet",
-               *options])
+    try:
+        repose.run(deck_for(state, steps, name), output, set=sets, ranks=ranks, program=str(program))
+    except repose.ReposeError as error:
+        raise SystemExit(f"{name}: {error}") from None
     return summary_in(output)
 
 
@@ -52,5 +53,4 @@ def in_step(program, state, steps, turns, ranks):
 
 def summary_in(output):
     """Without the deck, which is in the folder beside it."""
-    summary = json.loads((output / "summary.json").read_text())
-    return {key: value for key, value in summary.items() if key != "deck"}
+    return {key: value for key, value in repose.Run(output).summary.items() if key != "deck"}

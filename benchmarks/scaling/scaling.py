@@ -206,14 +206,12 @@ def balance(args):
     for name in args.runs.split(","):
         ranks, sets = ways[name]
         output = folder / name
-        options = [word for text in [*args.set, *sets] for word in ("--set", text)]
         if not (output / "summary.json").exists():
-            subprocess.run([*states.launcher(ranks), args.program, "run", args.deck, "--output", output, "--quiet",
-                            *options], check=True, stdout=subprocess.DEVNULL)
+            states.repose.run(args.deck, output, set=[*args.set, *sets], ranks=ranks, program=args.program)
         kept[name] = summary_in(output)
     if len({summary["state_hash"] for summary in kept.values()}) != 1:
         raise SystemExit("the states differ")
-    rows = divide(args, sorted((folder / "one_rank").glob("run_*.hdf")), [args.ranks])
+    rows = divide(args, states.repose.Run(folder / "one_rank").snapshot_paths, [args.ranks])
     table = balance_table(kept, rows)
     print_table(table)
     save(args.results / f"balance_{args.deck.stem}.json", ranks=args.ranks, sets=args.set, table=table, rows=rows, runs=kept)

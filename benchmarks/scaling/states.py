@@ -3,9 +3,10 @@
 import math
 import os
 import pathlib
-import subprocess
+import sys
 
-import h5py
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools" / "python"))
+import repose  # noqa: E402
 
 BED = pathlib.Path(__file__).resolve().parent / "bed.toml"
 BED_SIZE, BED_EDGE = 156000, 38.9e-3  # grains, m
@@ -57,19 +58,16 @@ def settled_bed(program, work, size):
     if not state.exists():
         folder.mkdir(parents=True, exist_ok=True)
         fill = [f"particles.0.count={size}", f"particles.0.max=[{edge}, {edge}, 0.025]"]
-        options = [word for text in [*sets, *fill] for word in ("--set", text)]
         ranks = max(1, min(len(os.sched_getaffinity(0)), size // 20000))
-        subprocess.run([*launcher(ranks), program, "run", BED, "--output", folder / "settling", "--quiet", "--restart",
-                        *options], check=True, stdout=subprocess.DEVNULL)
-        next((folder / "settling").glob("run_*.hdf")).rename(state)
+        run = repose.run(BED, folder / "settling", set=[*sets, *fill], ranks=ranks, program=program, restart=True)
+        run.snapshot_paths[0].rename(state)
     text = without(BED.read_text(), LEFT_OUT) + PARTICLES.format(file=state) + OUTPUT
     return folder, text, sets
 
 
 def discharge(work, snapshot):
     """The deck of a snapshot, without what it measures and without the walls that its phases remove."""
-    with h5py.File(snapshot) as file:
-        text = str(file.attrs["deck"])
+    text = repose.Snapshot(snapshot).deck_text
     removed = [block for block in blocks(text) if block.startswith("[[phase]]")]
     names = {name for block in removed for line in block.splitlines() if line.startswith("remove_walls")
              for name in line.split('"')[1::2]}

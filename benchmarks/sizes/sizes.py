@@ -2,13 +2,15 @@
 """Particle-steps per cpu-second of settled beds of several size ratios, cost of their lists, ghosts; see README.md."""
 
 import argparse
-import json
 import math
 import pathlib
 import statistics
-import subprocess
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools" / "python"))
+import repose  # noqa: E402
+
 BED = ROOT / "benchmarks" / "throughput" / "inputs" / "bed.toml"
 BEDS = {"1:1": (440e-6, 440e-6), "1:3.5": (208e-6, 724e-6), "1:10": (150e-6, 1500e-6), "ball": (400e-6, 400e-6)}
 BALL = 22e-3  # m, on a million grains; goes with the third root of their number
@@ -58,18 +60,14 @@ class Bed:
         sets = [f"domain.min=[{-2 * h}, {-2 * h}, -1e-3]", f"domain.max=[{2 * h}, {2 * h}, {top}]",
                 f"wall.x_low.point=[{-h}, 0.0, 0.0]", f"wall.x_high.point=[{h}, 0.0, 0.0]",
                 f"wall.y_low.point=[0.0, {-h}, 0.0]", f"wall.y_high.point=[0.0, {h}, 0.0]", *more]
-        launcher = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
-        options = [word for text in sets for word in ("--set", text)]
-        subprocess.run([*launcher, self.program, "run", deck, "--output", self.folder / output, "--quiet", *options],
-                       check=True, stdout=subprocess.DEVNULL)
-        return json.loads((self.folder / output / "summary.json").read_text())
+        return repose.run(deck, self.folder / output, set=sets, ranks=ranks, program=self.program).summary
 
     def settle(self, output, blocks):
         # The guard is raised: a large grain that falls on small ones presses into them while the bed settles.
         energy = 3592.0 * self.volume / self.size * 1e-7  # 1e-7 J/kg
         self.run(output, blocks, f'\n[[phase]]\nname = "settle"\nuntil = "kinetic_energy"\nkinetic_energy = {energy}\n'
-                 'min_time = 0.05\nmax_time = 0.3\n', more=["guards.max_overlap=0.9"])
-        next((self.folder / output).glob("run_*.hdf")).rename(self.folder / f"{output}.hdf")
+                 'min_time = 0.05\nmax_time = 0.3\n', more=["guards.max_overlap=0.5"])
+        repose.Run(self.folder / output).snapshot_paths[0].rename(self.folder / f"{output}.hdf")
 
     def make(self):
         """The settled state, unless it is there."""
@@ -91,9 +89,8 @@ class Bed:
 
     @staticmethod
     def highest(snapshot):
-        import h5py
-        with h5py.File(snapshot) as file:
-            return float((file["particles/position"][:, 2] + file["particles/radius"][:]).max())
+        grains = repose.Snapshot(snapshot)
+        return float((grains.position[:, 2] + grains.radius).max())
 
     def measure(self, steps, ranks=1):
         return self.run(f"measured_{ranks}", '\n[[particles]]\ntype = "snapshot"\nfile = "bed.hdf"\n',

@@ -1,13 +1,11 @@
 """How each program runs a scene: its command line, and what it says about the run afterwards."""
 
-import csv
-import json
 import math
 import pathlib
 import re
 import tomllib
 
-from scenes import INPUTS, set_options
+from scenes import INPUTS, repose, set_options
 
 PHASES = """
 [[phase]]
@@ -39,9 +37,8 @@ class Repose:
 
     def figures(self, folder):
         """Loop seconds of the steps that were asked for, kinetic energy and grains kept at the end."""
-        summary = json.loads(pathlib.Path(folder, "summary.json").read_text())
-        with open(pathlib.Path(folder, "series.csv")) as file:
-            energy = float(list(csv.DictReader(file))[-1]["translational_energy_J"])
+        run = repose.Run(folder)
+        summary, energy = run.summary, float(run.series["translational_energy_J"][-1])
         figures = {"kinetic_energy_J": energy, "wall_seconds": summary["wall_seconds"],
                    "vector_level": summary["build"]["vector_level"],
                    "inside": summary["particles"]["inside"], **summary["timing"]}

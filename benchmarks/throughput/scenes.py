@@ -2,12 +2,14 @@
 
 import json
 import pathlib
+import sys
 import tomllib
 from dataclasses import asdict, dataclass
 
-import h5py
-
 FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parents[1] / "tools" / "python"))
+import repose  # noqa: E402
+
 INPUTS = FOLDER / "inputs"
 DISCHARGE_DECK = FOLDER.parents[1] / "input" / "discharge_mini.toml"
 DENSITY = tomllib.loads(DISCHARGE_DECK.read_text())["material"][0]["density"]
@@ -103,6 +105,5 @@ def write_data(path, bounds, position, velocity, radius, kind=1):
 
 def read_snapshot(folder, which=-1):
     """Position, velocity and radius in one of a run's snapshots, in the order of time."""
-    names = sorted(pathlib.Path(folder).glob("run_*.hdf"), key=lambda path: int(path.stem.split("_")[1]))
-    with h5py.File(names[which]) as file:
-        return tuple(file["particles"][name][...] for name in ("position", "velocity", "radius"))
+    snapshot = repose.Run(folder).snapshots[which]
+    return snapshot.position, snapshot.velocity, snapshot.radius

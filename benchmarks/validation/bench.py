@@ -1,14 +1,13 @@
 """What the studies share: runs, figures, tables, results."""
 
-import json
 import pathlib
 import statistics
-import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from report import ROOT, print_table, save  # noqa: E402
+from report import ROOT, print_table, save  # noqa: E402  (and where the package is)
+import repose  # noqa: E402
 
 
 class Bench:
@@ -20,15 +19,12 @@ class Bench:
 
     def run(self, name, deck, sets):
         """The summary of one run; one that is complete is not run again, one that was stopped goes on."""
-        output = self.work / name
-        command = [self.program, "run", str(ROOT / "input" / deck), "--output", str(output), "--quiet", "--restart"]
-        for item in sets:
-            command += ["--set", item]
-        done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
-        if done.returncode != 0:
-            raise SystemExit(f"{name}: {done.stderr.strip()}")
+        try:
+            run = repose.run(ROOT / "input" / deck, self.work / name, set=sets, program=self.program, restart=True)
+        except repose.ReposeError as error:
+            raise SystemExit(f"{name}: {error}") from None
         print(f"{name} is complete", flush=True)
-        return json.loads((output / "summary.json").read_text())
+        return run.summary
 
     def run_all(self, runs):
         """{name: summary} of {name: (deck, sets)}."""

@@ -2,11 +2,10 @@
 
 import math
 
-import h5py
 import matplotlib
 import numpy as np
 
-from bench import Bench, figures, vessel, write
+from bench import Bench, figures, repose, vessel, write
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -29,8 +28,8 @@ def sets(half_angle, sliding, rolling):
 
 def retained(folder):
     """Positions and radii in mm of the grains above the orifice in the last snapshot."""
-    with h5py.File(max(folder.glob("run_*.hdf"))) as file:
-        position, radius = 1e3 * file["particles/position"][...], 1e3 * file["particles/radius"][...]
+    last = repose.Run(folder).snapshots[-1]
+    position, radius = 1e3 * last.position, 1e3 * last.radius
     above = position[:, 2] > 0.0
     return position[above], radius[above]
 

@@ -2,13 +2,12 @@
 """Studies behind docs/validation.md; see README.md. What has been run already is not run again."""
 
 import argparse
-import json
 import math
 import pathlib
 import subprocess
 
 import sand_layer
-from bench import ROOT, Bench, figures, flat_floor, means_of, save, vessel, with_seeds, write
+from bench import ROOT, Bench, figures, flat_floor, means_of, repose, save, vessel, with_seeds, write
 
 MATERIALS = ("material.0", "material.1")
 STOPPED = 75  # exit code of a run that was stopped with a checkpoint
@@ -25,9 +24,8 @@ def full(options):
         code = subprocess.run(command, stdin=subprocess.DEVNULL).returncode
         if code != 0:
             raise SystemExit(f"{case} ended with exit code {code}" + (": the same command goes on" if code == STOPPED else ""))
-        compared = json.loads((output / "validation.json").read_text())["cases"][0]["comparisons"]
-        summary = json.loads((output / case / "summary.json").read_text())
-        save(options.results / f"{case}.json", case=case, comparisons=compared, summary=summary)
+        found = repose.Validation(output)
+        save(options.results / f"{case}.json", case=case, comparisons=found.cases[case], summary=found.runs[case].summary)
 
 
 def stiffness(options):

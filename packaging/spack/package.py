@@ -33,7 +33,8 @@ class Repose(CMakePackage):
     depends_on("boost")
     depends_on("zlib-api")
     depends_on("googletest", when="+tests", type="build")
-    depends_on("python@3.9:", type="run")
+    depends_on("python@3.11:", type="run")
+    depends_on("py-numpy", type="run")
     depends_on("py-h5py", type="run")
     depends_on("py-matplotlib", type="run")
 

@@ -29,6 +29,7 @@ class CalibrationWork {
 
   const Communicator& world() const { return world_; }
   const RunLog& log() const { return plan_.log; }
+  const std::string& directory() const { return plan_.directory; }
   const CampaignEffort& effort() const { return effort_; }  ///< of all batches
 
  private:

@@ -12,6 +12,7 @@
 #include "campaign/expected_cost.h"
 #include "campaign/observables.h"
 #include "comm/agreement.h"
+#include "files/atomic_file.h"
 
 namespace repose {
 namespace {
@@ -76,6 +77,12 @@ BatchPlan batch_after(const CalibrationDeck& deck, const DoneRuns& done, std::si
   return batch;
 }
 
+/// A row of search.csv after each batch; an empty field for no region.
+std::string row_of(const CalibrationDeck& deck, const DoneRuns& done, std::size_t points, const Estimate& now) {
+  return fmt::format("{},{},{},{}\n", points, done.runs.size(), core_hours(deck, done.records),
+                     now.half_width ? fmt::format("{}", *now.half_width) : std::string());
+}
+
 std::string counts_of(const CalibrationDeck& deck, const Points& points) {
   if (deck.levels.empty()) return fmt::format("{} points", points.size());
   std::string text;
@@ -97,6 +104,7 @@ double core_hours(const CalibrationDeck& deck, std::span<const RunRecord> record
 DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
   const std::vector<ParameterRange> ranges = ranges_of(deck.study);
   Points points = first_design(deck, ranges);
+  std::string history = "points,runs,core_hours,half_width\n";
   int narrow = 0;
   while (true) {
     DoneRuns done = work.at(points);
@@ -106,6 +114,8 @@ DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
       const Estimate now = estimate(misfit, deck.confidence);
       narrow = now.half_width && *now.half_width <= deck.adaptive.half_width ? narrow + 1 : 0;
       work.log().say(fmt::format("{}: {}", counts_of(deck, points), progress_of(now)));
+      history += row_of(deck, done, points.size(), now);
+      write_text_file(work.directory() + "/search.csv", history);
       const BatchPlan batch = batch_after(deck, done, points.size());
       if (narrow >= 2 || batch.points == 0) return;
       more = rounded(next_level_points(misfit, now, batch));

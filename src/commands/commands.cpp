@@ -13,6 +13,7 @@ std::unique_ptr<Command> validate_command();
 std::unique_ptr<Command> calibrate_command();
 std::unique_ptr<Command> estimate_command();
 std::unique_ptr<Command> sensitivity_command();
+std::unique_ptr<Command> report_command();
 std::unique_ptr<Command> thermal_bed_command();
 std::unique_ptr<Command> thermal_network_command();
 std::unique_ptr<Command> thermal_tps_command();
@@ -38,6 +39,8 @@ const std::vector<CommandEntry>& command_entries() {
        calibrate_command, ranks},
       {"estimate", "estimate again from the runs of a calibration", estimate_command},
       {"sensitivity", "what each parameter does to the figures of a deck", sensitivity_command, ranks},
+      {"report", "one HTML file of what a run, a calibration, a validation or a sensitivity study has left",
+       report_command},
       {"thermal bed", "conductivity of a bed by Zehner, Bauer and Schluender", thermal_bed_command},
       {"thermal network", "conductivity of simulated beds from snapshots or CSV", thermal_network_command},
       {"thermal tps", "evaluate transients (CSV) of a plane source", thermal_tps_command},

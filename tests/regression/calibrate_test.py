@@ -218,7 +218,12 @@ class Calibrate(FolderTest):
             self.assertIn("18 runs: ", self.calibrate(self.write(search), ranks=ranks, output=output))
         self.assertEqual(self.read("grid.csv", outputs[0]), self.read("grid.csv", outputs[1]))
         self.assertEqual(self.read("estimate.json", outputs[0]), self.read("estimate.json", outputs[1]))
+        convergence = self.read("search.csv", outputs[0])
+        self.assertEqual(convergence, self.read("search.csv", outputs[1]))
+        self.assertEqual([line.split(",")[:2] for line in convergence.splitlines()],
+                         [["points", "runs"], ["5", "10"], ["7", "14"], ["9", "18"]])
         self.assertIn("0 runs in", self.calibrate(self.write(search), output=outputs[0]))
+        self.assertEqual(convergence, self.read("search.csv", outputs[0]))
 
     def levels(self, extra=""):
         """A search over two levels of few grains."""

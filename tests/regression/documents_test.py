@@ -115,7 +115,9 @@ class Workshop:
                 text = text.replace(old, new)
             with open(path, "w") as file:
                 file.write(text)
-        self.env = {**os.environ, "PATH": f"{programs}:{os.path.dirname(mpiexec)}:{os.environ['PATH']}", "PYTHONDONTWRITEBYTECODE": "1"}
+        self.env = {**os.environ, "PATH": f"{programs}:{os.path.dirname(mpiexec)}:{os.environ['PATH']}", "PYTHONDONTWRITEBYTECODE": "1",
+                    "PYTHONPATH": os.path.join(source, "tools", "python"), "REPOSE": os.path.join(programs, "repose"),
+                    "REPOSE_PYTHON": sys.executable}
 
     def say(self, words, env=(), timeout=LONGEST):
         done = subprocess.run(words, cwd=self.folder, env={**self.env, **dict(env)}, capture_output=True, text=True,
@@ -229,11 +231,11 @@ def check_commands(workshop, name, path):
                 print(f"{place}: {command} ({time.monotonic() - begin:.1f} s)", flush=True)
 
 
-def check_python(workshop, path):
+def check_python(workshop, *paths):
     """The examples in Python read a run in results/discharge_quick."""
     workshop.run("repose run input/discharge_quick.toml --output results/discharge_quick")
-    examples = ["\n".join(lines) for _, language, lines in blocks_of(path, "user-guide.md") if language == "python"]
-    assert len(examples) > 2, examples
+    examples = ["\n".join(lines) for path in paths for _, language, lines in blocks_of(path, path) if language == "python"]
+    assert len(examples) > 5, examples
     for example in examples:
         assert workshop.say([sys.executable, "-c", example]).strip(), f"an example prints nothing:\n{example}"
 
@@ -252,7 +254,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         workshop = Workshop(sys.argv[1], sys.argv[2], source, folder)
         check_first_deck(workshop, guide)
-        check_python(workshop, guide)
+        check_python(workshop, guide, os.path.join(source, "docs", "python.md"))
         check_summary_keys(workshop, os.path.join(source, "README.md"))
         documents = [os.path.join(source, "README.md"), guide, *sorted(set(glob.glob(os.path.join(source, "docs", "*.md"))) - {guide})]
         documents += sorted(glob.glob(os.path.join(source, "benchmarks", "*", "README.md")))

@@ -110,6 +110,21 @@ class Install(unittest.TestCase):
         for name in ("README.md", "LICENSE", "docs/user-guide.md"):
             self.assertTrue(os.path.exists(self.path("share/doc/repose", name)), name)
 
+    def test_the_python_package_is_there(self):
+        """`import repose` finds the installed program, and `repose report` the installed package."""
+        output, package = self.path("results_python"), self.path("share/repose/python")
+        env = {key: value for key, value in os.environ.items() if key not in ("REPOSE", "PYTHONPATH")}
+        code = (f"import repose; assert repose.find_program() == {self.program!r}, repose.find_program(); "
+                f"print(repose.run({self.path('share/repose/input/discharge_quick.toml')!r}, {output!r}, "
+                f"set={list(REDUCED)!r}).summary['state_hash'])")
+        said_hash = said(sys.executable, "-B", "-c", code, env={**env, "PYTHONPATH": package}).strip()
+        with open(os.path.join(output, "summary.json")) as file:
+            self.assertIn(f'"state_hash": "{said_hash}"', file.read())
+        report = said(self.program, "report", output, env={**env, "REPOSE_PYTHON": sys.executable}).strip()
+        self.assertEqual(report, os.path.join(output, "report.html"))
+        said(self.path("share/repose/tools/print_summary.py"), output, env=env)
+        self.assertFalse(os.path.exists(os.path.join(package, "repose", "report", "__pycache__")), "repose report leaves files there")
+
     def test_the_man_page_has_the_command_line(self):
         page = self.path("share/man/man1/repose.1")
         warnings = subprocess.run(["groff", "-man", "-ww", "-z", "-Tutf8", page], capture_output=True, text=True)

@@ -20,7 +20,7 @@ from repose_runs import Program, read_series
 
 REDUCED = ("particles.0.mass=0.1 g", "phase.settle.max_time=20 ms", "phase.settle.min_time=1 ms",
            "phase.discharge.max_time=80 ms", "phase.discharge.min_time=80 ms", "output.series_interval=2 ms")
-SIDES = 72  # of a circle in tools/wall_surfaces.py
+SIDES = 72  # of a circle in repose.walls
 
 
 def ring(r):
@@ -38,7 +38,7 @@ class Pictures(unittest.TestCase):
         cls.folder = folder.name
         cls.run_folder = os.path.join(cls.folder, "run")
         cls.program.run(cls.program.deck("discharge_quick.toml"), cls.run_folder, *REDUCED)
-        sys.path.insert(0, os.path.join(cls.program.source, "tools"))
+        sys.path.insert(0, os.path.join(cls.program.source, "tools", "python"))
 
     def tool(self, name, *arguments):
         return subprocess.run([os.path.join(self.program.source, "tools", name), *arguments], capture_output=True, text=True,
@@ -80,7 +80,7 @@ class Pictures(unittest.TestCase):
 
     def surfaces(self, deck, folder=None):
         """Bounds and area of each wall, as VTK reads it."""
-        from wall_surfaces import vtp_of, wall_surfaces
+        from repose.walls import vtp_of, wall_surfaces
         found = {}
         for name, _, points, polygons in wall_surfaces(deck, folder):
             path = os.path.join(self.folder, "wall.vtp")

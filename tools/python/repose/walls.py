@@ -1,6 +1,7 @@
 """The walls of a resolved deck as surfaces to look at: points and polygons, in m, where they are before anything moves.
 
-Planes have no end: they are cut at the sides of the domain. Used by open_in_paraview.py; needs nothing but Python.
+Planes have no end: they are cut at the sides of the domain. For ParaView (tools/open_in_paraview.py); needs nothing but
+Python.
 """
 import math
 import os
@@ -95,7 +96,8 @@ def read_stl(path):
         data = file.read()
     count = struct.unpack_from("<I", data, 80)[0] if len(data) >= 84 else -1
     if len(data) == 84 + 50 * count:
-        return [list(struct.unpack_from("<3f", data, 84 + 50 * t + 12 * (1 + c))) for t in range(count) for c in range(3)]
+        return [list(struct.unpack_from("<3f", data, 84 + 50 * t + 12 * (1 + c))) for t in range(count)
+                for c in range(3)]
     words = data.decode().split()
     return [[float(x) for x in words[i + 1:i + 4]] for i, word in enumerate(words) if word.lower() == "vertex"]
 
@@ -122,7 +124,8 @@ def wall_surfaces(deck_path, folder=None):
     with open(deck_path, "rb") as file:
         deck = tomllib.load(file)
     folder = folder or os.path.dirname(deck_path)
-    return [(wall["name"], wall.get("present", True), *SHAPES[wall["type"]](wall, deck, folder)) for wall in deck.get("wall", ())]
+    return [(wall["name"], wall.get("present", True), *SHAPES[wall["type"]](wall, deck, folder))
+            for wall in deck.get("wall", ())]
 
 
 def vtp_of(points, polygons):
@@ -133,7 +136,8 @@ def vtp_of(points, polygons):
     ends = [sum(len(p) for p in polygons[:k + 1]) for k in range(len(polygons))]
     return (f'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">\n<PolyData>\n'
             f'<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" '
-            f'NumberOfPolys="{len(polygons)}">\n<Points>\n<DataArray type="Float64" NumberOfComponents="3" format="ascii">\n'
+            f'NumberOfPolys="{len(polygons)}">\n<Points>\n'
+            f'<DataArray type="Float64" NumberOfComponents="3" format="ascii">\n'
             f'{rows(points)}\n</DataArray>\n</Points>\n<Polys>\n'
             f'<DataArray type="Int64" Name="connectivity" format="ascii">\n{rows(polygons)}\n</DataArray>\n'
             f'<DataArray type="Int64" Name="offsets" format="ascii">\n{rows([ends])}\n</DataArray>\n'

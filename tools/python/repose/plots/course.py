@@ -1,0 +1,135 @@
+"""The course of a run, finished or not: discharge, energies, loads on the walls."""
+
+import numpy as np
+
+from repose.plots.style import HEIGHT, WIDTH, new_figure, styled
+from repose.units import prefixed
+
+ENERGIES = (("gravitational", "gravitational, above its least"), ("translational", "kinetic, translation"),
+            ("rotational", "kinetic, rotation"), ("elastic", "elastic, contacts"))
+MOST_STEPS = 1000  # of the rate: a picture shows no more
+
+
+def weight_of_grains(run):
+    """N, of the grains in the first snapshot; None without one."""
+    paths = run.snapshot_paths
+    if not paths:
+        return None
+    from repose.snapshot import Snapshot
+    return float(Snapshot(paths[0]).mass.sum() * np.linalg.norm(run.deck["gravity"]))
+
+
+def phase_begins(series):
+    """Time of the first row of each phase that has begun."""
+    return {int(phase): time for phase, time in zip(series["phase"][::-1], series["time_s"][::-1])}
+
+
+def is_present(wall, times, series, deck):
+    """At each time: walls come and go as phases begin."""
+    present = np.full(len(times), wall.get("present", True))
+    for phase, begin in sorted(phase_begins(series).items()):
+        for key, value in (("remove_walls", False), ("add_walls", True)):
+            if wall["name"] in deck["phase"][phase].get(key, ()):
+                present[times > begin] = value
+    return present
+
+
+def mark_phases(axes, series, deck):
+    """A line where a phase begins, with its name behind it."""
+    names = [phase["name"] for phase in deck["phase"]]
+    for phase, begin in sorted(phase_begins(series).items()):
+        if phase > 0:
+            axes.axvline(begin, color="0.55", linewidth=0.8, linestyle=":")
+        axes.annotate(names[phase], (begin, 1.0), xycoords=("data", "axes fraction"), xytext=(3, 2),
+                      textcoords="offset points", fontsize=7.5, color="0.35")
+
+
+def over_time(axes, series):
+    axes.set_xlabel("time, s")
+    axes.set_xlim(series["time_s"][0], max(series["time_s"][-1], 1e-12))
+
+
+@styled
+def discharge(run):
+    """The mass below the orifice, what left through each exit, and the rate between two rows; of long series between
+    every few."""
+    series = run.series
+    if series is None or series.rows < 2:
+        return None
+    curves = [("discharged_mass_kg", "discharged")]
+    curves += [(name, "left by " + name[5:-3]) for name in series if name.startswith("exit_")]
+    curves = [(name, label) for name, label in curves if series[name].max() > 0.0]
+    if not curves:
+        return None
+    factor, unit = (1e3, "g") if max(series[name].max() for name, _ in curves) >= 1e-5 else (1e6, "mg")
+    figure, (above, below) = new_figure(2, 1, sharex=True, figsize=(WIDTH, 1.35 * HEIGHT), height_ratios=(3, 2))
+    step = -(-series.rows // MOST_STEPS)
+    for name, label in curves:
+        above.plot(series["time_s"], factor * series[name], label=label)
+        time, mass = series["time_s"][::step], factor * series[name][::step]
+        below.stairs(np.diff(mass) / np.diff(time), time, label=label, linewidth=1.0)
+    above.set_ylabel(f"mass, {unit}")
+    below.set_ylabel(f"rate, {unit}/s")
+    for axes in (above, below):
+        axes.set_ylim(bottom=0.0)
+    if len(curves) > 1:
+        above.legend()
+    mark_phases(above, series, run.deck)
+    over_time(below, series)
+    return figure
+
+
+@styled
+def energies(run):
+    """All parts of the energy that are ever positive, on one logarithmic axis, for they differ by powers of ten."""
+    series = run.series
+    if series is None:
+        return None
+    parts = [(series[f"{name}_energy_J"], label) for name, label in ENERGIES]
+    parts[0] = (parts[0][0] - parts[0][0].min(), parts[0][1])  # its zero is at z = 0, which means nothing
+    parts = [(np.where(energy > 0.0, energy, np.nan), label) for energy, label in parts if energy.max() > 0.0]
+    if not parts:
+        return None
+    figure, axes = new_figure()
+    for energy, label in parts:
+        axes.semilogy(series["time_s"], energy, label=label)
+    lowest, highest = (f([f(energy[np.isfinite(energy)]) for energy, _ in parts]) for f in (np.min, np.max))
+    axes.set_ylim(max(0.3 * lowest, 1e-12 * highest), 3.0 * highest)
+    axes.set_ylabel("energy, J")
+    axes.legend(ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.2))
+    mark_phases(axes, series, run.deck)
+    over_time(axes, series)
+    return figure
+
+
+def forces_along_gravity(run, loads, series):
+    """Of each wall that is touched, in N, at the times that it is there."""
+    gravity = np.array(run.deck["gravity"])
+    down = gravity / np.linalg.norm(gravity) if gravity.any() else np.array((0.0, 0.0, -1.0))
+    forces = {}
+    for wall in run.deck.get("wall", ()):
+        force = sum(down[k] * loads[f"{wall['name']}_force_{'xyz'[k]}_N"] for k in range(3))
+        if np.abs(force).max() > 0.0:
+            forces[wall["name"]] = np.where(is_present(wall, loads["time_s"], series, run.deck), force, np.nan)
+    return forces
+
+
+@styled
+def walls(run):
+    """The force on each wall along gravity."""
+    series, loads = run.series, run.walls
+    forces = forces_along_gravity(run, loads, series) if series is not None and loads is not None else None
+    if not forces:
+        return None
+    weight = weight_of_grains(run)
+    factor, unit = prefixed(max(*[np.nanmax(np.abs(f)) for f in forces.values()], weight or 0.0), "N")
+    figure, axes = new_figure()
+    for name, force in forces.items():
+        axes.plot(loads["time_s"], factor * force, label=name)
+    if weight:
+        axes.axhline(factor * weight, color="black", linewidth=0.8, linestyle="--", label="weight of all grains")
+    axes.set_ylabel(f"force along gravity, {unit}")
+    axes.legend(ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.2))
+    mark_phases(axes, series, run.deck)
+    over_time(axes, series)
+    return figure

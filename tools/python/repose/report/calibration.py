@@ -1,0 +1,179 @@
+"""The report of a calibration."""
+
+from repose import plots
+from repose.report import html, numbers, parts, study, svg
+from repose.report.page import Report, Section
+from repose.units import words
+
+SHOWN = 3  # runs nearest the answer whose pictures are open
+
+
+def interval_text(interval, error):
+    below, above = ("below " if interval["open_below"] else ""), ("above " if interval["open_above"] else "")
+    lower, upper = (numbers.beside(end, interval[end], error) for end in ("lower", "upper"))
+    return f"{below}{lower} to {above}{upper}"
+
+
+def point_lines(estimate, point):
+    """Each calibrated parameter with its standard error and region."""
+    share = f"{100 * estimate['confidence']:.0f} % region"
+    intervals = estimate["parts"][point["part"]]["intervals"]
+    return "".join(html.line(words(p["name"]), f"{numbers.number(p['name'], value, error)} "
+                             f"<small>{share} {interval_text(interval, error)}</small>")
+                   for p, value, error, interval in zip(estimate["parameters"], point["values"],
+                                                        point["standard_errors"], intervals))
+
+
+def answer(found):
+    if not found.is_complete:
+        return html.paragraph("There is no estimate yet.")
+    estimate = found.estimate
+    points = estimate["points"]
+    lines = html.paragraph(html.escape(estimate["verdict"][:1].upper() + estimate["verdict"][1:]) + ".")
+    for number, point in enumerate(points):
+        lines += html.element("h3", f"Crossing {number + 1}") if len(points) > 1 else ""
+        lines += point_lines(estimate, point)
+    if not points:
+        nearest = estimate["nearest"]
+        lines += "".join(html.line(words(p["name"]), numbers.number(p["name"], value) + " <small>nearest point</small>")
+                         for p, value in zip(estimate["parameters"], nearest["values"]))
+    return lines
+
+
+def warnings(found, runs):
+    listed = []
+    if found.is_complete:
+        estimate = found.estimate
+        if not estimate["points"]:
+            fits = "is acceptable" if estimate["nearest"]["acceptable"] else "is not acceptable, either"
+            listed.append(f"The laboratory's contour lines do not cross within the ranges; the nearest point {fits}.")
+        if len(estimate["points"]) > 1:
+            listed.append(f"There are {len(estimate['points'])} crossings: another observable would tell which is the "
+                          "true one.")
+        names = [p["name"] for p in estimate["parameters"]]
+        open_ends = sorted({words(name) for part in estimate["parts"]
+                            for name, interval in zip(names, part["intervals"])
+                            if interval["open_below"] or interval["open_above"]})
+        if open_ends:
+            listed.append("The region is open: it meets the end of the range of "
+                          f"{html.escape(', '.join(open_ends))} and may go on beyond.")
+        for o in estimate["observables"]:
+            if o["nearest_off_by"] is not None and abs(o["nearest_off_by"]) > 2.0:
+                listed.append(f"{numbers.name(o['figure'])} is off by "
+                              f"{numbers.signed(o['nearest_off_by'])} standard deviations.")
+    return listed + (study.warnings(runs) if runs else [])
+
+
+def asked(found):
+    deck = found.deck
+    rows = [("base deck", f"<code>{html.escape(deck['base'])}</code>"),
+            ("seeds at each point", html.escape(deck.get("seeds", 1)))]
+    if deck.get("set"):
+        rows.append(("changed for all runs", ", ".join(f"<code>{html.escape(item)}</code>" for item in deck["set"])))
+    if "adaptive" in deck:
+        rows.append(("search", html.escape(", ".join(f"{key} = {value}" for key, value in deck["adaptive"].items()))))
+    ranges = [[html.word(p["name"]), f"<code>{html.escape(p['key'])}</code>",
+               html.escape(p.get("values", f"{p.get('min')} to {p.get('max')}"))] for p in deck["parameter"]]
+    return html.pairs(rows) + html.table(["parameter", "key", "values or range"], ranges) + laboratory(found)
+
+
+def as_written(figure, value):
+    """A number of a deck, or its text with a unit."""
+    return numbers.figure(figure, value) if isinstance(value, (int, float)) else html.escape(value)
+
+
+def laboratory(found):
+    """What the laboratory has found, and what the runs say of it."""
+    if not found.is_complete:
+        rows = [[numbers.name(o["figure"]), as_written(o["figure"], o["laboratory"]),
+                 as_written(o["figure"], o.get("deviation", ""))] for o in found.deck["observable"]]
+        return html.table(["figure", "laboratory", "deviation"], rows)
+    rows = []
+    for o in found.estimate["observables"]:
+        rows.append([numbers.name(o["figure"]), numbers.figure(o["figure"], o["laboratory"], o["standard_error"]),
+                     numbers.figure(o["figure"], o["deviation"], digits=2), numbers.count(o["repeats"]),
+                     numbers.figure(o["figure"], o.get("discrepancy", 0.0), digits=2), numbers.count(o["runs"]),
+                     numbers.signed(o["nearest_off_by"])])
+    head = ["figure", "laboratory ± standard error", "deviation", "repeats", "discrepancy of the model",
+            "runs that have it",
+            "nearest point off by, standard deviations"]
+    return html.table(head, rows, numeric=range(1, 7))
+
+
+def surfaces(found, runs):
+    """Contours of each figure with the runs, the laboratory and the region."""
+    if not found.is_complete:
+        return ""
+    note = html.paragraph("Marks are runs: point at one for its figures, follow it to its pile. Dashed is the "
+                          "laboratory's value with a band of two standard errors, red the region.", "none")
+    if found.surfaces is None:
+        return note + html.gallery([html.picture(svg.of_figure(plots.line(found, figure, parameter),
+                                                               f"{figure} over {parameter}", runs.text,
+                                                            runs.has_box))
+                                    for figure in found.figures for parameter in found.parameters])
+    shown = [html.picture(svg.of_figure(plots.contours(found, figure), f"contours of {figure}", runs.text,
+                                        runs.has_box)) for figure in found.figures]
+    return note + html.gallery([*shown, html.picture(svg.of_figure(plots.crossing(found), "where they meet"))])
+
+
+def convergence(found):
+    if "adaptive" not in found.deck:
+        return ""
+    if found.search is None:
+        return html.paragraph("This search has left no search.csv: its convergence was not recorded.", "none")
+    rows = [[numbers.data(f"{row['points']:g}", float(row["points"])),
+             numbers.data(f"{row['runs']:g}", float(row["runs"])),
+             numbers.data(numbers.plain(float(row["core_hours"]), 3), float(row["core_hours"])),
+             numbers.data(f"{100 * row['half_width']:.1f} %" if row["half_width"] == row["half_width"] else "none",
+                          float(row["half_width"]))] for row in map(found.search.row, range(found.search.rows))]
+    return (html.picture(svg.of_figure(plots.search(found), "convergence of the search")) +
+            html.table(["points", "runs", "core-hours", "half-width of the widest interval over its range"], rows,
+                       numeric=range(4)))
+
+
+def levels(found):
+    """Of the model: what each has cost, and how they are linked."""
+    if not found.is_complete or "levels" not in found.estimate:
+        return ""
+    estimate = found.estimate
+    rows = [[html.escape(level["name"]), numbers.count(level["points"]), numbers.count(level["runs"]),
+             numbers.data(numbers.plain(level["core_hours"], 3), level["core_hours"])] for level in estimate["levels"]]
+    text = html.table(["level", "points", "runs", "core-hours"], rows, numeric=(1, 2, 3))
+    links = [[numbers.name(o["figure"]), html.escape(f"{link['level']} of {link['below']}"),
+              numbers.number("rho", link["rho"], link["rho_standard_error"]),
+              numbers.data(f"{100 * link['explained']:.0f} %" if link["explained"] is not None else "none",
+                           link["explained"])]
+             for o in estimate["observables"] for link in o.get("links", ())]
+    text += html.table(["figure", "levels", "rho", "explained"], links, numeric=(2, 3))
+    for key, title in (("first_level_alone", f"{found.levels[0]} alone"),
+                       ("without_discrepancy", "without the discrepancy of the model")):
+        if key in estimate:
+            other = {**estimate, **{name: estimate[key][name] for name in ("verdict", "points", "parts")}}
+            text += html.element("h3", html.escape(title)) + html.paragraph(html.escape(other["verdict"]))
+            text += "".join(point_lines(other, point) for point in other["points"])
+    return text
+
+
+def pictures_of_nearest(found, runs, pictures, rows):
+    return "".join(html.element("h3", html.escape(runs.name(row)), id=f"pile-{row}") + pictures.of_run(runs.runs[row]) +
+                   parts.course(runs.runs[row], plots) * (row == rows[0]) for row in rows)
+
+
+def report(found):
+    """The `Report` of a `Calibration`."""
+    has_runs = (found.directory / "grid.csv").exists()
+    order = found.nearest_runs if found.is_complete and has_runs else []
+    runs, pictures = study.Runs(found, found.figures, order) if has_runs else None, parts.Pictures()
+    order = [row for row in order if runs.runs[row]]
+    nearest = order[:SHOWN]
+    sections = [Section("surfaces", "Contours", surfaces(found, runs)),
+                Section("asked", "What was asked", asked(found)),
+                Section("nearest", "Runs nearest the answer", pictures_of_nearest(found, runs, pictures, nearest)),
+                Section("search", "Convergence of the search", convergence(found)),
+                Section("levels", "Levels of the model", levels(found))]
+    if runs:
+        sections += [Section("runs", "Runs", runs.table()),
+                     Section("boxes", "Each run", runs.boxes(pictures, nearest)),
+                     study.repeat(found, runs, "calibrate", (runs.runs[nearest[0]], runs.folders[nearest[0]])
+                                  if nearest else None)]
+    return Report("calibration", found.title, answer(found), study.state(found), warnings(found, runs), sections)

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/math.h"
 #include "photo/base_line.h"
 #include "photo/patches.h"
 #include "photo/subject.h"
@@ -270,7 +271,7 @@ PileView measure_pile(const Image& image, const PhotoDeck& deck, const AngleOfRe
   const Silhouette upper = outline_at(std::min(0.95, threshold + deck.threshold_deviation));
 
   PileView view;
-  view.blur = blur_of(level, pixels, contrast);
+  view.blur = blur_of(level, pixels, contrast) * std::sin(lines.mean_deg() * pi / 180.0);  // across the flank
   if (view.blur > deck.pile.most_blur * pixels.top) {
     throw DeckError(
         fmt::format("{}: the pile is out of focus: its outline is {:.1f} pixels wide, {:.1f} % of its height, "

@@ -44,7 +44,7 @@ const GrainPatches& in_shade(const GrainPatches& grains, const GrainPatches& low
 Pixel middle_of_pile(const GrainPatches& grains) {
   const Patch& pile = grains.of(grains.pile);
   Pixel middle{pile.x, pile.y};
-  const double radius = 0.9 * std::sqrt(pile.area / pi);
+  const double radius = 1.1 * std::sqrt(pile.area / pi);
   for (int i = 0; i < centrings; ++i) {
     double x = 0.0, y = 0.0, count = 0.0;
     for (std::size_t row = pile.top; row <= pile.bottom; ++row) {

@@ -1,0 +1,3 @@
+repose_test(unit_photo LABEL unit
+  SOURCES photo_pile_test.cpp photo_plate_test.cpp photo_observable_test.cpp
+  LINK repose_photo)

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <memory>
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <leptonica/allheaders.h>
 #include <libexif/exif-data.h>
+#include <unistd.h>
 
 #include "base/error.h"
 
@@ -18,6 +20,27 @@ struct DestroyPix {
   void operator()(Pix* pix) const { pixDestroy(&pix); }
 };
 using PixPointer = std::unique_ptr<Pix, DestroyPix>;
+
+/// While it lives, nothing is written to the standard error output: libjpeg and libpng say there what they think of a
+/// file, and the user gets one line of ours. What cannot be redirected stays as it is.
+class Silence {
+ public:
+  Silence() : kept_(dup(STDERR_FILENO)) {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (kept_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) close(nowhere);
+  }
+  ~Silence() {
+    if (kept_ < 0) return;
+    dup2(kept_, STDERR_FILENO);
+    close(kept_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  int kept_;
+};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw FileError(fmt::format("{}: {}; a whole JPEG, PNG or TIFF file is needed", name, what));
@@ -46,6 +69,7 @@ PixPointer upright(PixPointer pix, int orientation) {
 }
 
 PixPointer decode(const std::string& bytes, const std::string& name) {
+  const Silence silence;
   int format = IFF_UNKNOWN, width = 0, height = 0, bits = 0, samples = 0, has_map = 0;
   const bool is_known =
       pixReadHeaderMem(begin_of(bytes), bytes.size(), &format, &width, &height, &bits, &samples, &has_map) == 0;

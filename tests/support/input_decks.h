@@ -9,7 +9,7 @@ namespace repose::test {
 inline bool is_deck_of_a_run(const std::filesystem::path& path) {
   if (path.extension() != ".toml") return false;
   const std::string name = path.filename().string();
-  for (const char* other : {"calibrate_", "sensitivity_", "thermal_", "validation"}) {
+  for (const char* other : {"calibrate_", "photo_", "sensitivity_", "thermal_", "validation"}) {
     if (name.starts_with(other)) return false;
   }
   return true;

@@ -9,7 +9,7 @@ constexpr double area_range = 4.0;  // of a single grain, about the median, eith
 constexpr double speck_share = 0.2;
 constexpr double least_pile = 20.0;  // grains
 constexpr double second_share = 0.5;
-constexpr double least_area = 4.0;  // px^2: less is noise
+constexpr double least_area = 12.5;  // px^2, of a grain of 4 px: less is noise
 
 bool may_be_single(const Patch& patch, double least_roundness) {
   return patch.area >= least_area && patch.roundness >= least_roundness;

@@ -18,6 +18,7 @@ constexpr double default_threshold = 0.5;
 constexpr double threshold_in_shade = 0.15;  // so that a pile's side in the shade counts; shadows would, of dark grains
 constexpr double least_diameter = 4.0;       // px
 constexpr double most_dim = 0.5;
+constexpr double few_grains = 3.0;
 constexpr int centrings = 5;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
@@ -141,6 +142,7 @@ void count_kinds(PlateView& view, const Frame& frame) {
         break;
       case Kind::speck:
         view.specks += 1.0;
+        view.speck_grains += p.area / view.grains.grain_area;
         break;
       case Kind::clump:
         view.merged += peaks[i];
@@ -153,6 +155,20 @@ void count_kinds(PlateView& view, const Frame& frame) {
         break;
     }
   }
+}
+
+/// Counts that hang on the threshold are none.
+void check_sensitivity(const PlateView& view, const PhotoDeck& deck, const std::string& name) {
+  double all = 0.0, change = 0.0;
+  for (const CountedArea& area : view.areas) {
+    all += area.count;
+    change += area.threshold;
+  }
+  if (change <= std::max(few_grains, deck.plate.most_doubtful * all)) return;
+  refuse(name,
+         fmt::format("of {:.0f} grains {:.0f} come or go with the threshold's deviation: choose another threshold or "
+                     "channel, or more even light",
+                     all, change));
 }
 
 }  // namespace
@@ -204,6 +220,14 @@ PlateView measure_plate(const Image& image, const PhotoDeck& deck, const Scatter
                        1e3 * view.base_radius, 1e3 * scattering.area_3_radius));
   }
   count_kinds(view, frame);
+  if (view.speck_grains > deck.plate.most_doubtful * std::max(1.0, view.single + view.merged)) {
+    refuse(name,
+           fmt::format(
+               "parts too small for a grain have the area of {:.1f} grains, {:.0f} are found beside the pile: what is "
+               "taken for a grain may be several, or grains fall into parts; check threshold, channel and "
+               "plate.least_roundness",
+               view.speck_grains, view.single + view.merged));
+  }
   if (view.doubtful > deck.plate.most_doubtful * std::max(1.0, view.single + view.merged)) {
     refuse(name, fmt::format(
                      "clumps have the area of {:.0f} grains more or fewer than are seen in them, of {:.0f} beside the "
@@ -230,6 +254,7 @@ PlateView measure_plate(const Image& image, const PhotoDeck& deck, const Scatter
     area.scale = std::abs(at(scaled) - area.count);
     view.areas.push_back(area);
   }
+  check_sensitivity(view, deck, name);
   return view;
 }
 

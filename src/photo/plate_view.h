@@ -33,6 +33,7 @@ struct PlateView {
   double merged = 0.0;          ///< grains that touch others or the pile, beyond its base
   double doubtful = 0.0;        ///< by how many the areas of the clumps say more or fewer
   double specks = 0.0;          ///< too small for a grain: not counted
+  double speck_grains = 0.0;    ///< their area, in grains
   double seen_share = 1.0;      ///< of the plate beyond the outermost circle that the picture shows
   double pixels_per_metre = 0.0;
   Pixel axis;  ///< px

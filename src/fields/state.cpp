@@ -61,6 +61,21 @@ Deck deck_of(const DeckSource& source, const std::string& own, const std::string
   return read_deck(own, file + ": its deck", source.overrides);
 }
 
+/// A checkpoint names materials and walls by their places in the deck alone.
+void refuse_other_names(const Deck& deck, const DeckSource& source, const std::string& own, const std::string& file) {
+  if (source.text.empty()) return;
+  const auto names = [](const auto& sections) {
+    std::vector<std::string> list;
+    for (const auto& section : sections) list.push_back(section.name);
+    return list;
+  };
+  const Deck written = read_deck(own, file + ": its deck", {});
+  if (names(deck.materials) != names(written.materials) || names(deck.walls) != names(written.walls)) {
+    throw DeckError(fmt::format("{}: has other materials or walls than the deck in {}; give the deck of that run",
+                                source.path, file));
+  }
+}
+
 Particles particles_of(const NewParticles& all) {
   Particles particles;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -125,6 +140,7 @@ State read_state(const std::string& bytes, const std::string& file, const DeckSo
   state.time = contents.time_s;
   state.walls = make_walls(deck, state.materials, read_file);
   if (contents.kind == FileContents::Kind::checkpoint) {
+    refuse_other_names(deck, source, contents.deck, file);
     const Checkpoint checkpoint = parse_checkpoint(bytes, file);
     const double dt = state.step > 0 ? state.time / static_cast<double>(state.step) : 0.0;
     place_walls(checkpoint.header.state, file, dt, state.walls);

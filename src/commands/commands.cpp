@@ -9,6 +9,7 @@ std::unique_ptr<Command> check_command();
 std::unique_ptr<Command> measure_command();
 std::unique_ptr<Command> info_command();
 std::unique_ptr<Command> export_command();
+std::unique_ptr<Command> fields_command();
 std::unique_ptr<Command> validate_command();
 std::unique_ptr<Command> calibrate_command();
 std::unique_ptr<Command> estimate_command();
@@ -34,6 +35,7 @@ const std::vector<CommandEntry>& command_entries() {
       {"measure", "measure the pile of a finished run, or a list of grains, again", measure_command},
       {"info", "what is in a snapshot, a checkpoint or the grid of a calibration", info_command},
       {"export", "write the grains of a snapshot for other programs", export_command},
+      {"fields", "density, velocity and stress of the continuum that the grains of snapshots make", fields_command},
       {"validate", "run cases and compare their figures with those of a laboratory", validate_command, ranks},
       {"calibrate", "run a deck over a grid of parameters and find those that give the laboratory's figures",
        calibrate_command, ranks},

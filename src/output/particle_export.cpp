@@ -1,6 +1,5 @@
 #include "output/particle_export.h"
 
-#include <bit>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -10,11 +9,10 @@
 #include "files/csv_file.h"
 #include "output/dump_export.h"
 #include "output/vector_rows.h"
+#include "output/vtk_arrays.h"
 
 namespace repose {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "vtp_text writes the bytes as they are");
 
 std::vector<double> flat(std::span<const Vec3> vectors) {
   std::vector<double> values;
@@ -22,31 +20,6 @@ std::vector<double> flat(std::span<const Vec3> vectors) {
   for (const Vec3& v : vectors) append_vector(values, v);
   return values;
 }
-
-/// The arrays behind the XML, each after its length in bytes.
-class AppendedData {
- public:
-  template <class T>
-  std::string array(const char* type, const char* name, int components, std::span<const T> values) {
-    const std::string element = fmt::format(
-        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n", type,
-        name, components, bytes_.size());
-    const std::uint64_t size = values.size_bytes();
-    bytes_.append(reinterpret_cast<const char*>(&size), sizeof size);
-    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-    return element;
-  }
-  std::string array(const char* name, int components, const std::vector<double>& values) {
-    return array("Float64", name, components, std::span<const double>(values));
-  }
-  std::string array(const char* name, const std::vector<std::int64_t>& values) {
-    return array("Int64", name, 1, std::span<const std::int64_t>(values));
-  }
-  const std::string& bytes() const { return bytes_; }
-
- private:
-  std::string bytes_;
-};
 
 }  // namespace
 
@@ -56,7 +29,7 @@ std::string vtp_text(const SnapshotParticles& snapshot) {
   std::iota(vertices.begin(), vertices.end(), 0);
   std::vector<std::int64_t> ends(p.size());
   std::iota(ends.begin(), ends.end(), 1);
-  AppendedData data;
+  VtkArrays data;
   std::string text =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n";

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cstdlib>
+
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "comm/agreement.h"
+#include "commands/command.h"
+#include "deck/units.h"
+#include "fields/fields_of.h"
+#include "files/atomic_file.h"
+#include "files/directory.h"
+#include "files/shared_file.h"
+
+namespace repose {
+namespace {
+
+class FieldsCommand : public Command {
+ public:
+  void declare(Options& options) override {
+    options.arguments("FILE", files_, "snapshots or checkpoints (.hdf); several are allowed");
+    options.option("--output", output_, "DIR", "directory of the fields (.vti) and their series (fields.pvd)",
+                   Options::Need::must);
+    length(options, "--width", given_.width, "half-width of the kernel; three mean diameters if not given");
+    length(options, "--spacing", given_.spacing, "of the cells; a third of the width if not given");
+    options.option(
+        "--deck", deck_, "DECK",
+        "deck (TOML) in place of the one in FILE; needed for walls that are meshes, whose files lie beside it");
+    declare_overrides(options, overrides_);
+  }
+
+  void carry_out(Process& process) override {
+    std::string text;
+    agree_after_root(process.ranks(), [&] { text = write_all(); });
+    process.say(text);
+  }
+
+ private:
+  static void length(Options& options, const std::string& name, double& value, const std::string& meaning) {
+    const auto read = [name, &value](const std::string& text) {
+      const char* const first = text.c_str();
+      char* rest = nullptr;
+      const double number = std::strtod(first, &rest);
+      const Quantity quantity =
+          rest != first && *rest == '\0' ? Quantity{number, ""} : parse_quantity(text, Unit::metre);
+      value = quantity.value;
+      if (quantity.problem.empty() && value > 0.0 && value < 1e6) return;
+      throw DeckError(fmt::format("{} {}: must be a length above 0, such as 0.002 or \"2 mm\"", name, text));
+    };
+    options.parsed(name, read, "LENGTH", meaning);
+  }
+
+  fields::State state_of(const std::string& file) const {
+    const ReadFile read_mesh = [&](const std::string& mesh) {
+      if (!deck_.empty()) return read_whole_file(path_beside(deck_, mesh));
+      throw DeckError(
+          fmt::format("{}: its deck has a mesh, {}: name the deck with --deck, beside which it lies", file, mesh));
+    };
+    const std::string text = deck_.empty() ? std::string() : read_whole_file(deck_);
+    return fields::read_state(read_whole_file(file), file, {text, deck_, overrides_}, read_mesh);
+  }
+
+  std::string write_all() const {
+    fields::Resolution resolution = given_;
+    std::vector<std::pair<double, std::string>> series;
+    std::string text;
+    for (const std::string& file : files_) {
+      const fields::State state = state_of(file);
+      resolution = fields::resolution_for(state, resolution);  // that of the first holds for all
+      const fields::FieldsOfFile one = fields::fields_of(state, file, resolution);
+      const std::string name = fmt::format("fields_{:010}.vti", one.step);
+      if (std::any_of(series.begin(), series.end(), [&](const auto& other) { return other.second == name; })) {
+        throw DeckError(fmt::format("{}: another file is of step {}, too; give files of one run", file, one.step));
+      }
+      if (series.empty()) create_output_directory(output_);
+      write_text_file(output_ + "/" + name, one.vti);
+      series.emplace_back(one.time, name);
+      text += one.lines;
+    }
+    std::sort(series.begin(), series.end());
+    write_text_file(output_ + "/fields.pvd", fields::series_text(series));
+    return text;
+  }
+
+  std::vector<std::string> files_;
+  std::string output_;
+  std::string deck_;
+  std::vector<std::string> overrides_;
+  fields::Resolution given_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> fields_command() { return std::make_unique<FieldsCommand>(); }
+
+}  // namespace repose

@@ -1,0 +1,2 @@
+repose_test(unit_fields LABEL unit SOURCES fields_kernel_test.cpp fields_coarse_grain_test.cpp LINK repose_fields)
+repose_test(fields_contacts LABEL analytic SOURCES fields_contacts_test.cpp LINK repose_fields repose_test_scenes)

@@ -30,6 +30,8 @@ class Repose(CMakePackage):
     depends_on("tomlplusplus@3:")
     depends_on("nlohmann-json@3.10:", type="build")
     depends_on("cairo+pdf+png+svg+fc")
+    depends_on("leptonica")
+    depends_on("libexif")
     depends_on("boost")
     depends_on("zlib-api")
     depends_on("googletest", when="+tests", type="build")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace repose::photo {
 namespace {
@@ -94,8 +95,9 @@ double roughness(const Silhouette& outline, const FlankView& fit) {
   for (std::size_t i = 0; i < outline.left.size(); ++i) {
     const double z = outline.row_z(i);
     if (z < fit.z_from || z > fit.z_to || std::isnan(outline.left[i])) continue;
-    for (const double off : {outline.left[i] - fit.left.u(z), outline.right[i] - fit.right.u(z)}) {
-      sum += off * off;
+    for (const auto& [off, flank] : {std::pair(outline.left[i] - fit.left.u(z), fit.left),
+                                     std::pair(outline.right[i] - fit.right.u(z), fit.right)}) {
+      sum += off * off / (1.0 + flank.slope * flank.slope);
       count += 1.0;
     }
   }

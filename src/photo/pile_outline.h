@@ -28,7 +28,7 @@ Silhouette outline_of(const Level& level, const Extent& extent, double threshold
 /// most: grains that fade into their shadow have wide edges in focus, too.
 double blur_of(const Level& level, const Silhouette& outline, double contrast);
 
-/// Root mean square of the outline's distance from its lines between the fitted heights, in its own unit.
+/// Root mean square of the outline's distance from its lines, across them, between the fitted heights, in its own unit.
 double roughness(const Silhouette& outline, const FlankView& fit);
 
 }  // namespace repose::photo

@@ -15,8 +15,9 @@ namespace {
 constexpr double default_threshold = 0.3;  // low, so that a flank in the shade belongs to the pile
 constexpr double least_rows = 30.0;
 constexpr double second_share = 0.25;    // of the area of the pile, which another one must not have
-constexpr double most_roughness = 0.12;  // deviation of the outline from its lines over the pile's height
+constexpr double most_roughness = 0.08;  // deviation of the outline from its lines over the pile's height
 constexpr double most_threshold_deg = 0.5;
+constexpr double steepest_deg = 80.0;
 
 double pixels_per_metre(const PhotoDeck& deck, const Level& level, const std::string& name) {
   const ScaleDeck& scale = deck.scale;
@@ -122,6 +123,9 @@ PileView measure_pile(const Image& image, const PhotoDeck& deck, const AngleOfRe
         fmt::format("{}: the pile is out of focus: its outline is {:.1f} pixels wide, {:.1f} % of its height, "
                     "above pile.most_blur = {:.3g}; focus on the pile's outline",
                     name, view.blur, 100.0 * view.blur / pixels.top, deck.pile.most_blur));
+  }
+  if (const double steepest = std::max(lines.left.angle_deg, lines.right.angle_deg); steepest > steepest_deg) {
+    no_pile(name, fmt::format("a flank of {:.0f} degrees is none of a heap", steepest));
   }
   if (const double rms = roughness(pixels, lines); rms > most_roughness * pixels.top) {
     no_pile(name,

@@ -34,7 +34,9 @@ CHANGED = {
     "calibrate_levels_quick.toml": [('"output.snapshot_interval=0"', FEW_GRAINS), ("seeds = 2", "seeds = 1"),
                                     ("budget_core_hours = 0.2 ", "budget = 20 "),
                                     ("angle_of_repose_deg", "discharge_time_s")],  # so few grains make no pile
-    "calibrate_photo.toml": [("discharge_mini", "discharge_quick"), ("seeds = 2", "seeds = 1"), ("points = 5", "points = 2")],
+    "calibrate_photo.toml": [("discharge_mini", "discharge_quick"), ("seeds = 2", "seeds = 1"),
+                             ("[0.2, 0.325, 0.45, 0.575]", "[0.5, 0.6, 0.65, 0.7]"),
+                             ('"output.snapshot_times=[]"', '"particles.0.mass=0.3 g"')],
 }
 # Words of the documents and what they stand for here, where the rest of the command can be run.
 STANDS_FOR = {"DECK": "input/discharge_quick.toml", "DIR": "results/a_run", "results/quick/run_0000089762.hdf": "results/quick/run_*.hdf",

@@ -133,7 +133,7 @@ class Install(unittest.TestCase):
             headings = [h.replace("\\-", "-") for h in re.findall(r'^\.SS "(.*)"$', file.read(), re.M)]
         described = {}
         for heading in headings:
-            name = re.match(r"(?:thermal )?\w+", heading).group()
+            name = re.match(r"(?:(?:thermal|photo) )?\w+", heading).group()
             described[name] = heading
         runnable = {name: command for name, command in self.commands.items() if not command.subcommands}
         self.assertEqual(set(described), set(runnable))
@@ -142,7 +142,7 @@ class Install(unittest.TestCase):
             required = set(re.findall(r"(?<!\[)(--[\w-]+)", described[name]))
             self.assertEqual(optional | required, command.options - {"--help"}, described[name])
             self.assertEqual(required, command.required, described[name])
-            operands = re.match(r"(?:thermal )?\w+((?: [A-Z.]+)*)", described[name]).group(1).split()
+            operands = re.match(r"(?:(?:thermal|photo) )?\w+((?: [A-Z.]+)*)", described[name]).group(1).split()
             self.assertEqual(bool(operands), bool(command.positionals), described[name])
 
     def complete(self, *words, folder=None):

@@ -19,7 +19,7 @@ namespace {
 /// repose photo pile and repose photo plate.
 class Photo : public Command {
  public:
-  using Tool = photo::PhotoResult (*)(const std::vector<photo::PhotoFile>&, photo::PhotoDeck, const Deck&);
+  using Tool = photo::PhotoResult (*)(const std::vector<photo::PhotoFile>&, const photo::PhotoDeck&, const Deck&);
   Photo(std::string name, Tool tool) : name_(std::move(name)), tool_(tool) {}
 
   void declare(Options& options) override {
@@ -39,7 +39,8 @@ class Photo : public Command {
 
  private:
   std::string measure() const {
-    const photo::PhotoDeck deck = photo::read_photo_deck(read_whole_file(deck_), deck_, overrides_);
+    const std::string deck_text = read_whole_file(deck_);
+    const photo::PhotoDeck deck = photo::read_photo_deck(deck_text, deck_, overrides_);
     const std::string base_path = path_beside(deck_, deck.base);
     const Deck base = read_deck(read_whole_file(base_path), base_path, deck.set);
     std::vector<photo::PhotoFile> photographs;
@@ -49,7 +50,7 @@ class Photo : public Command {
     const std::string calibration =
         calibration_.empty() ? std::string()
                              : photo::with_observables(read_whole_file(calibration_), calibration_, result.figures);
-    if (!output_.empty()) write(result, base);
+    if (!output_.empty()) write(result, deck_text, base);
     if (!calibration_.empty()) {
       write_text_file(calibration_, calibration);
       return result.text + fmt::format("written into {}\n", calibration_);
@@ -57,7 +58,7 @@ class Photo : public Command {
     return result.text + "\n" + photo::observable_text(result.figures);
   }
 
-  void write(const photo::PhotoResult& result, const Deck& base) const {
+  void write(const photo::PhotoResult& result, const std::string& deck_text, const Deck& base) const {
     create_output_directory(output_);
     const std::string json_file = fmt::format("{}/{}.json", output_, name_);
     std::filesystem::remove(json_file);
@@ -68,7 +69,7 @@ class Photo : public Command {
       json["photographs"][i]["picture"] = picture + ".png";
     }
     json["observables"] = photo::observable_text(result.figures);
-    json["photo_deck"] = {{"file", deck_}, {"set", overrides_}, {"text", read_whole_file(deck_)}};
+    json["photo_deck"] = {{"file", deck_}, {"set", overrides_}, {"text", deck_text}};
     json["deck"] = resolved_deck(base);
     json["build"] = json_of(build_info(""));
     write_text_file(json_file, json_text(json));

@@ -77,6 +77,27 @@ void estimate_error(AngleOfRepose& result) {
 
 }  // namespace
 
+AngleOfReposeParameters parameters_of(const AngleOfReposeDeck& deck) {
+  AngleOfReposeParameters parameters;
+  parameters.plate_height = deck.plate_height;
+  parameters.axis = deck.axis;
+  parameters.fit_from = deck.fit_from;
+  parameters.fit_to = deck.fit_to;
+  parameters.azimuths = static_cast<std::size_t>(deck.azimuths);
+  if (deck.camera == Camera::perspective) {
+    parameters.camera_distance = deck.camera_distance;
+    parameters.camera_height = deck.camera_height;
+  }
+  return parameters;
+}
+
+View view_at(const AngleOfReposeParameters& parameters, double azimuth) {
+  return {.axis = parameters.axis,
+          .azimuth = azimuth,
+          .camera_distance = parameters.camera_distance,
+          .camera_height = parameters.camera_height};
+}
+
 FlankView fit_flanks(const Silhouette& outline, double fit_from, double fit_to) {
   const double height = outline.top - outline.base;
   const double z_from = outline.base + fit_from * height;
@@ -101,10 +122,7 @@ std::optional<AngleOfRepose> angle_of_repose(std::span<const Sphere> pile, const
 
   const auto n = static_cast<double>(parameters.azimuths);
   for (std::size_t i = 0; i < parameters.azimuths; ++i) {
-    const View view{.axis = parameters.axis,
-                    .azimuth = azimuth_of_view(i, parameters.azimuths),
-                    .camera_distance = parameters.camera_distance,
-                    .camera_height = parameters.camera_height};
+    const View view = view_at(parameters, azimuth_of_view(i, parameters.azimuths));
     Silhouette outline = silhouette(project(pile, view), parameters.plate_height, row_height);
     result.views.push_back(fit_flanks(outline, parameters.fit_from, parameters.fit_to));
     result.views.back().azimuth = view.azimuth;

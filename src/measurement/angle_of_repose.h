@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "deck/deck.h"
 #include "measurement/silhouette.h"
 #include "measurement/sphere.h"
 
@@ -21,6 +22,12 @@ struct AngleOfReposeParameters {
   double camera_distance = std::numeric_limits<double>::infinity();  ///< from the axis; infinite: orthographic
   double camera_height = 0.0;                                        ///< z; counts at a finite distance
 };
+
+/// Those of a deck's section.
+AngleOfReposeParameters parameters_of(const AngleOfReposeDeck& deck);
+
+/// The view of their camera at this azimuth (rad).
+View view_at(const AngleOfReposeParameters& parameters, double azimuth);
 
 /// u = u_mid + slope (z - z_mid), m; the angle is the one between the line and the plate, inside the pile (degrees).
 struct FlankLine {

@@ -30,13 +30,11 @@ Columns columns_of(const Patches& patches, std::int32_t which) {
   const Patch& patch = patches.all[static_cast<std::size_t>(which)];
   const std::size_t n = patch.right - patch.left + 1;
   Columns columns{.left = patch.left, .top = std::vector<double>(n, -1.0), .bottom = std::vector<double>(n, -1.0)};
-  for (std::size_t y = patch.top; y <= patch.bottom; ++y) {
-    for (std::size_t i = 0; i < n; ++i) {
-      if (patches.at(patch.left + i, y) != which) continue;
-      if (columns.top[i] < 0.0) columns.top[i] = static_cast<double>(y) - 0.5;
-      columns.bottom[i] = static_cast<double>(y) + 0.5;
-    }
-  }
+  patches.for_each_pixel(which, [&](std::size_t x, std::size_t y) {
+    const std::size_t i = x - patch.left;
+    if (columns.top[i] < 0.0) columns.top[i] = static_cast<double>(y) - 0.5;
+    columns.bottom[i] = static_cast<double>(y) + 0.5;
+  });
   return columns;
 }
 

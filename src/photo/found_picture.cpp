@@ -82,20 +82,6 @@ void draw_flank(Canvas& canvas, const PilePlace& place, const std::vector<double
   canvas.polyline(points, 2.0, outline_colour);
 }
 
-Colour colour_of(GrainPatches::Kind kind) {
-  switch (kind) {
-    case GrainPatches::Kind::single:
-      return outline_colour;
-    case GrainPatches::Kind::clump:
-      return clump_colour;
-    case GrainPatches::Kind::speck:
-      return speck_colour;
-    case GrainPatches::Kind::pile:
-      break;
-  }
-  return line_colour;
-}
-
 }  // namespace
 
 Picture found_pile_picture(const Image& image, const PileView& view) {
@@ -117,18 +103,15 @@ Picture found_pile_picture(const Image& image, const PileView& view) {
 
 Picture found_plate_picture(const Image& image, const PlateView& view) {
   std::string title = fmt::format("Base {:.2f} mm", 2e3 * view.base_radius);
-  for (std::size_t i = 0; i < view.areas.size(); ++i) {
-    const std::size_t number = i + 1 == view.areas.size() ? 3 : i + 1;
-    title += fmt::format(", area {}: {:.0f}", number, view.areas[i].count);
-  }
+  for (const CountedArea& area : view.areas) title += fmt::format(", area {}: {:.0f}", area.number, area.count);
   return picture_of(image, title, [&](Canvas& canvas, const Frame& frame) {
     canvas.many_discs(view.grains.kind.size() + view.peaks.size(), [&](Canvas& pixels) {
       for (std::size_t i = 0; i < view.grains.kind.size(); ++i) {
         const Patch& p = view.grains.patches.all[i];
-        if (view.grains.kind[i] == GrainPatches::Kind::pile || view.grains.kind[i] == GrainPatches::Kind::clump)
-          continue;
+        const bool is_single = view.grains.kind[i] == GrainPatches::Kind::single;
+        if (!is_single && view.grains.kind[i] != GrainPatches::Kind::speck) continue;
         const double radius = std::max(2.0, frame.zoom * 1.5 * std::sqrt(p.area / pi));
-        pixels.circle(frame.at(p.x, p.y), radius, 1.2, colour_of(view.grains.kind[i]));
+        pixels.circle(frame.at(p.x, p.y), radius, 1.2, is_single ? outline_colour : speck_colour);
       }
       const double radius = std::max(2.0, frame.zoom * std::sqrt(view.grains.grain_area / pi));
       for (const GrainPeak& peak : view.peaks) pixels.circle(frame.at(peak.at.x, peak.at.y), radius, 1.2, clump_colour);

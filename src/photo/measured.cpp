@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 namespace repose::photo {
 
 Measured measured(const std::vector<double>& values, double systematic, double single) {
@@ -16,6 +18,13 @@ Measured measured(const std::vector<double>& values, double systematic, double s
   result.error = std::sqrt(result.scatter * result.scatter / n + systematic * systematic);
   result.deviation = std::sqrt(n) * result.error;
   return result;
+}
+
+nlohmann::ordered_json json_of(const Measured& value, const std::string& unit) {
+  return {{"mean" + unit, value.mean},
+          {"scatter" + unit, value.scatter},
+          {"systematic" + unit, value.systematic},
+          {"error" + unit, value.error}};
 }
 
 }  // namespace repose::photo

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 namespace repose::photo {
 
@@ -16,5 +19,8 @@ struct Measured {
 
 /// `values` of the photographs (at least one); `single` stands for their scatter where there is one only.
 Measured measured(const std::vector<double>& values, double systematic, double single);
+
+/// Its figures but for the deviation; their keys end with `unit`, such as "_deg".
+nlohmann::ordered_json json_of(const Measured& value, const std::string& unit = "");
 
 }  // namespace repose::photo

@@ -23,6 +23,17 @@ struct Patches {
   std::vector<Patch> all;           ///< in the order of their first pixels
 
   std::int32_t at(std::size_t x, std::size_t y) const { return label[y * width + x]; }
+
+  /// Calls visit(x, y) for the pixels of a patch, row by row.
+  template <class Visit>
+  void for_each_pixel(std::int32_t which, Visit&& visit) const {
+    const Patch& patch = all[static_cast<std::size_t>(which)];
+    for (std::size_t y = patch.top; y <= patch.bottom; ++y) {
+      for (std::size_t x = patch.left; x <= patch.right; ++x) {
+        if (at(x, y) == which) visit(x, y);
+      }
+    }
+  }
 };
 
 /// The parts of pixels that `belongs`, connected over edges and corners.

@@ -1,5 +1,7 @@
 #include "photo/photo_deck.h"
 
+#include <algorithm>
+
 #include "deck/read_described.h"
 
 namespace repose::photo {
@@ -18,12 +20,12 @@ void check_pair(DeckErrors& errors, const std::string& from_key, const std::arra
 void check(PhotoDeck& deck, DeckErrors& errors) {
   const ScaleDeck& scale = deck.scale;
   check_pair(errors, "scale.bar_from", scale.bar_from, "scale.bar_to", scale.bar_to);
-  if (is_given(scale.bar_from) != (scale.bar_length == scale.bar_length)) {
+  if (is_given(scale.bar_from) != !std::isnan(scale.bar_length)) {
     errors.add(is_given(scale.bar_from) ? "scale.bar_from" : "scale.bar_length",
                "bar_from, bar_to and bar_length belong together");
   }
-  const int given = (scale.pixels_per_mm == scale.pixels_per_mm ? 1 : 0) + (is_given(scale.bar_from) ? 1 : 0) +
-                    (scale.plate_width == scale.plate_width ? 1 : 0);
+  const int given = (std::isnan(scale.pixels_per_mm) ? 0 : 1) + (is_given(scale.bar_from) ? 1 : 0) +
+                    (std::isnan(scale.plate_width) ? 0 : 1);
   if (given != 1) {
     errors.add("scale", "has " + std::to_string(given) +
                             " of pixels_per_mm, bar_from with bar_to and bar_length, and plate_width; give one");
@@ -45,6 +47,17 @@ void check(PhotoDeck& deck, DeckErrors& errors) {
 
 PhotoDeck read_photo_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
   return read_described<PhotoDeck>(text, path, overrides, check);
+}
+
+std::optional<double> pixels_per_metre(const ScaleDeck& scale) {
+  if (!std::isnan(scale.pixels_per_mm)) return 1e3 * scale.pixels_per_mm;
+  if (!is_given(scale.bar_from)) return {};
+  return std::hypot(scale.bar_to[0] - scale.bar_from[0], scale.bar_to[1] - scale.bar_from[1]) / scale.bar_length;
+}
+
+Thresholds thresholds_of(const PhotoDeck& deck, double otherwise) {
+  const double best = std::isnan(deck.threshold) ? otherwise : deck.threshold;
+  return {best, std::max(0.05, best - deck.threshold_deviation), std::min(0.95, best + deck.threshold_deviation)};
 }
 
 }  // namespace repose::photo

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -120,6 +122,19 @@ void describe(V& v, PhotoDeck& d) {
 PhotoDeck read_photo_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
 
 /// Whether a place was given.
-inline bool is_given(const std::array<double, 2>& place) { return place[0] == place[0]; }
+inline bool is_given(const std::array<double, 2>& place) { return !std::isnan(place[0]); }
+
+/// px/m, by pixels_per_mm or the bar; empty where the deck gives another length.
+std::optional<double> pixels_per_metre(const ScaleDeck& scale);
+
+/// The threshold of a picture, and those by which its deviation is felt.
+struct Thresholds {
+  double best = 0.0;
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+/// Those of the deck; `otherwise` is the threshold that it does not give.
+Thresholds thresholds_of(const PhotoDeck& deck, double otherwise);
 
 }  // namespace repose::photo

@@ -29,9 +29,9 @@ struct PhotoResult {
 
 /// Measures the pile of each photograph as measurement.angle_of_repose of `base` says. DeckError when the base has no
 /// such section, and as measure_pile.
-PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, PhotoDeck deck, const Deck& base);
+PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, const PhotoDeck& deck, const Deck& base);
 
 /// Counts the grains of each photograph as measurement.scattering of `base` says. DeckError likewise.
-PhotoResult measure_plates(const std::vector<PhotoFile>& photographs, PhotoDeck deck, const Deck& base);
+PhotoResult measure_plates(const std::vector<PhotoFile>& photographs, const PhotoDeck& deck, const Deck& base);
 
 }  // namespace repose::photo

@@ -28,13 +28,9 @@ Extent extent_of(const Level& level, double threshold) {
 }
 
 double contrast_of_pile(const Level& level, const Extent& extent) {
-  const Patch& pile = extent.pile();
   std::vector<float> values;
-  for (std::size_t y = pile.top; y <= pile.bottom; ++y) {
-    for (std::size_t x = pile.left; x <= pile.right; ++x) {
-      if (extent.patches.at(x, y) == extent.found.first) values.push_back(level.excess.at(x, y));
-    }
-  }
+  extent.patches.for_each_pixel(extent.found.first,
+                                [&](std::size_t x, std::size_t y) { values.push_back(level.excess.at(x, y)); });
   return static_cast<double>(median(values));
 }
 

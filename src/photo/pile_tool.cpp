@@ -12,19 +12,6 @@ namespace {
 
 constexpr double degrees = 180.0 / pi;
 
-/// The parameters of the base deck as far as a photograph needs them.
-AngleOfReposeParameters parameters_of(const AngleOfReposeDeck& deck) {
-  AngleOfReposeParameters parameters;
-  parameters.plate_height = deck.plate_height;
-  parameters.fit_from = deck.fit_from;
-  parameters.fit_to = deck.fit_to;
-  if (deck.camera == Camera::perspective) {
-    parameters.camera_distance = deck.camera_distance;
-    parameters.camera_height = deck.camera_height;
-  }
-  return parameters;
-}
-
 Json json_of(const std::string& name, const PileView& view) {
   return {{"file", name},
           {"angle_of_repose_deg", view.fit.mean_deg()},
@@ -43,14 +30,6 @@ Json json_of(const std::string& name, const PileView& view) {
           {"plate_is_seen", view.plate_is_seen}};
 }
 
-Json json_of(const Measured& m, const char* unit) {
-  const std::string end = std::string("_") + unit;
-  return {{"mean" + end, m.mean},
-          {"scatter" + end, m.scatter},
-          {"systematic" + end, m.systematic},
-          {"error" + end, m.error}};
-}
-
 /// The mean of a member over the views.
 template <class F>
 double mean_of(const std::vector<PileView>& views, const F& value) {
@@ -61,7 +40,7 @@ double mean_of(const std::vector<PileView>& views, const F& value) {
 
 }  // namespace
 
-PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, PhotoDeck deck, const Deck& base) {
+PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, const PhotoDeck& deck, const Deck& base) {
   if (!base.angle_of_repose.enabled) {
     throw DeckError(
         fmt::format("{}: has no [measurement.angle_of_repose], which says how a pile is measured", deck.base));
@@ -69,7 +48,7 @@ PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, PhotoDeck d
   const AngleOfReposeParameters parameters = parameters_of(base.angle_of_repose);
   PhotoResult result;
   std::vector<PileView> views;
-  std::vector<double> angles, heights, lefts, rights;
+  std::vector<double> angles, heights;
   Json list = Json::array();
   for (const PhotoFile& file : photographs) {
     const Looked looked = look_at(file, deck);
@@ -77,15 +56,13 @@ PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, PhotoDeck d
     result.pictures.push_back(found_pile_picture(looked.image, view));
     list.push_back(json_of(file.name, view));
     angles.push_back(view.fit.mean_deg());
-    lefts.push_back(view.fit.left.angle_deg);
-    rights.push_back(view.fit.right.angle_deg);
     heights.push_back(view.height);
-    result.text +=
-        fmt::format("{}: {:.2f} degrees (left {:.2f}, right {:.2f}), height {:.4g} mm, tilt {:.2f} degrees\n",
-                    file.name, angles.back(), lefts.back(), rights.back(), 1e3 * view.height, degrees * view.tilt);
+    result.text += fmt::format(
+        "{}: {:.2f} degrees (left {:.2f}, right {:.2f}), height {:.4g} mm, tilt {:.2f} degrees\n", file.name,
+        angles.back(), view.fit.left.angle_deg, view.fit.right.angle_deg, 1e3 * view.height, degrees * view.tilt);
     views.push_back(view);
   }
-  const double one_sided = 0.5 * std::abs(lefts.front() - rights.front());
+  const double one_sided = 0.5 * std::abs(views.front().fit.left.angle_deg - views.front().fit.right.angle_deg);
   const Measured angle = measured(angles, mean_of(views, [](const PileView& v) { return v.threshold_deg; }), one_sided);
   const double threshold = mean_of(views, [](const PileView& v) { return v.threshold_height; });
   const double scale = deck.scale.deviation * mean_of(views, [](const PileView& v) { return v.height; });
@@ -94,10 +71,10 @@ PhotoResult measure_piles(const std::vector<PhotoFile>& photographs, PhotoDeck d
   result.text += fmt::format("angle of repose {:.2f} +- {:.2f} degrees, height {:.4g} +- {:.2g} mm ({} photograph{})\n",
                              angle.mean, angle.error, 1e3 * height.mean, 1e3 * height.error, views.size(),
                              views.size() > 1 ? "s" : "");
-  result.json = {{"angle_of_repose", json_of(angle, "deg")},
-                 {"angle_of_repose_left_deg", measured(lefts, 0.0, 0.0).mean},
-                 {"angle_of_repose_right_deg", measured(rights, 0.0, 0.0).mean},
-                 {"pile_height", json_of(height, "m")},
+  result.json = {{"angle_of_repose", json_of(angle, "_deg")},
+                 {"angle_of_repose_left_deg", mean_of(views, [](const PileView& v) { return v.fit.left.angle_deg; })},
+                 {"angle_of_repose_right_deg", mean_of(views, [](const PileView& v) { return v.fit.right.angle_deg; })},
+                 {"pile_height", json_of(height, "_m")},
                  {"base_width_m", mean_of(views, [](const PileView& v) { return v.base_width; })},
                  {"photographs", list}};
   return result;

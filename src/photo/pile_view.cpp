@@ -19,19 +19,15 @@ constexpr double most_roughness = 0.08;  // deviation of the outline from its li
 constexpr double most_threshold_deg = 0.5;
 constexpr double steepest_deg = 80.0;
 
-double pixels_per_metre(const PhotoDeck& deck, const Level& level, const std::string& name) {
-  const ScaleDeck& scale = deck.scale;
-  if (!std::isnan(scale.pixels_per_mm)) return 1e3 * scale.pixels_per_mm;
-  if (is_given(scale.bar_from)) {
-    return std::hypot(scale.bar_to[0] - scale.bar_from[0], scale.bar_to[1] - scale.bar_from[1]) / scale.bar_length;
-  }
+double scale_of(const PhotoDeck& deck, const Level& level, const std::string& name) {
+  if (const auto given = pixels_per_metre(deck.scale)) return *given;
   if (!level.plate_pixels) {
     throw DeckError(
         fmt::format("{}: scale.plate_width: the plate is not seen before the background; give pixels_per_mm, "
                     "or bar_from and bar_to with bar_length",
                     name));
   }
-  return *level.plate_pixels / scale.plate_width;
+  return *level.plate_pixels / deck.scale.plate_width;
 }
 
 /// By how much the plate's edge that is seen lies above the plate in the plane of the axis, in the picture (m).
@@ -94,7 +90,7 @@ PileView measure_pile(const Image& image, const PhotoDeck& deck, const AngleOfRe
                       const std::string& name) {
   const Subject subject = find_subject(image, deck, Ground::above, name);
   Level level = find_level(subject, deck, name);
-  const double scale = pixels_per_metre(deck, level, name);
+  const double scale = scale_of(deck, level, name);
   level.base_row += scale * rise_of_edge(deck, parameters);
   const Extent first = extent_of(level, rough_threshold(subject));
   check_extent(first, name);
@@ -109,12 +105,12 @@ PileView measure_pile(const Image& image, const PhotoDeck& deck, const AngleOfRe
   const auto fit_of = [&](const Silhouette& outline) {
     return fit_flanks(outline, parameters.fit_from, parameters.fit_to);
   };
-  const double threshold = std::isnan(deck.threshold) ? default_threshold : deck.threshold;
-  const Silhouette pixels = outline_at(threshold);
+  const Thresholds thresholds = thresholds_of(deck, default_threshold);
+  const Silhouette pixels = outline_at(thresholds.best);
   const FlankView lines = fit_of(pixels);
   check_edges(pixels, lines, first, level, name);
-  const Silhouette lower = outline_at(std::max(0.05, threshold - deck.threshold_deviation));
-  const Silhouette upper = outline_at(std::min(0.95, threshold + deck.threshold_deviation));
+  const Silhouette lower = outline_at(thresholds.lower);
+  const Silhouette upper = outline_at(thresholds.upper);
 
   PileView view;
   view.blur = blur_of(level, pixels, contrast) * std::sin(lines.mean_deg() * pi / 180.0);  // across the flank

@@ -14,15 +14,10 @@ Json json_of(const CountedArea& area) {
           {"chance", area.chance}, {"threshold", area.threshold},  {"scale", area.scale}};
 }
 
-/// The number of an area, counted from 1, where the second may be missing.
-int number_of(std::size_t i, const PlateView& view) { return i + 1 == view.areas.size() ? 3 : static_cast<int>(i) + 1; }
-
 Json json_of(const std::string& name, const PlateView& view) {
   Json json = {{"file", name},
                {"base_diameter_m", view.measured_base_radius ? Json(2.0 * *view.measured_base_radius) : Json(nullptr)}};
-  for (std::size_t i = 0; i < view.areas.size(); ++i) {
-    json[fmt::format("area_{}", number_of(i, view))] = json_of(view.areas[i]);
-  }
+  for (const CountedArea& area : view.areas) json[fmt::format("area_{}", area.number)] = json_of(area);
   json.update(Json{{"single", view.single},
                    {"merged", view.merged},
                    {"doubtful", view.doubtful},
@@ -40,9 +35,7 @@ Json json_of(const std::string& name, const PlateView& view) {
 std::string text_of(const std::string& name, const PlateView& view) {
   std::string text = name + ":";
   if (view.measured_base_radius) text += fmt::format(" base {:.4g} mm,", 2e3 * *view.measured_base_radius);
-  for (std::size_t i = 0; i < view.areas.size(); ++i) {
-    text += fmt::format(" area {}: {:.0f},", number_of(i, view), view.areas[i].count);
-  }
+  for (const CountedArea& area : view.areas) text += fmt::format(" area {}: {:.0f},", area.number, area.count);
   text += fmt::format(" beside the pile {:.0f} single and {:.0f} merged grains ({:.0f} doubtful), {:.0f} specks\n",
                       view.single, view.merged, view.doubtful, view.specks);
   if (view.seen_share < 0.98) {
@@ -53,20 +46,16 @@ std::string text_of(const std::string& name, const PlateView& view) {
   return text;
 }
 
-Json json_of(const Measured& m) {
-  return {{"mean", m.mean}, {"scatter", m.scatter}, {"systematic", m.systematic}, {"error", m.error}};
-}
-
 /// The figure of one area over the views, as many as have it.
 MeasuredFigure figure_of(int number, const std::vector<PlateView>& views) {
   std::vector<double> counts;
   double systematic = 0.0, chance = 0.0;
   for (const PlateView& view : views) {
-    for (std::size_t i = 0; i < view.areas.size(); ++i) {
-      if (number_of(i, view) != number) continue;
-      counts.push_back(view.areas[i].count);
-      systematic += std::hypot(view.areas[i].threshold, view.areas[i].scale);
-      chance += view.areas[i].chance;
+    for (const CountedArea& area : view.areas) {
+      if (area.number != number) continue;
+      counts.push_back(area.count);
+      systematic += std::hypot(area.threshold, area.scale);
+      chance += area.chance;
     }
   }
   const auto n = static_cast<double>(counts.size());
@@ -80,7 +69,7 @@ MeasuredFigure figure_of(int number, const std::vector<PlateView>& views) {
 double diameter_in(const Deck& base) {
   double diameter = unset;
   for (const ParticlesDeck& section : base.particles) {
-    if (std::isnan(section.diameter) || (diameter == diameter && section.diameter != diameter)) return unset;
+    if (std::isnan(section.diameter) || (!std::isnan(diameter) && section.diameter != diameter)) return unset;
     diameter = section.diameter;
   }
   return diameter;
@@ -88,7 +77,8 @@ double diameter_in(const Deck& base) {
 
 }  // namespace
 
-PhotoResult measure_plates(const std::vector<PhotoFile>& photographs, PhotoDeck deck, const Deck& base) {
+PhotoResult measure_plates(const std::vector<PhotoFile>& photographs, const PhotoDeck& given, const Deck& base) {
+  PhotoDeck deck = given;
   if (std::isnan(deck.plate.grain_diameter)) deck.plate.grain_diameter = diameter_in(base);
   if (!base.scattering.enabled) {
     throw DeckError(fmt::format("{}: has no [measurement.scattering], which says how grains are counted", deck.base));

@@ -25,14 +25,11 @@ constexpr int centrings = 5;
   throw DeckError(fmt::format("{}: {}", name, what));
 }
 
-double pixels_per_metre(const ScaleDeck& scale, const std::string& name) {
-  if (!std::isnan(scale.pixels_per_mm)) return 1e3 * scale.pixels_per_mm;
-  if (!is_given(scale.bar_from)) {
-    refuse(name,
-           "scale.plate_width is for piles from the side; give bar_from and bar_to, such as two corners of the plate, "
-           "with bar_length, or pixels_per_mm");
-  }
-  return std::hypot(scale.bar_to[0] - scale.bar_from[0], scale.bar_to[1] - scale.bar_from[1]) / scale.bar_length;
+double scale_of(const ScaleDeck& scale, const std::string& name) {
+  if (const auto given = pixels_per_metre(scale)) return *given;
+  refuse(name,
+         "scale.plate_width is for piles from the side; give bar_from and bar_to, such as two corners of the plate, "
+         "with bar_length, or pixels_per_mm");
 }
 
 /// The better of the two to find the pile's middle: at the lower threshold, if the pile is found there.
@@ -40,24 +37,22 @@ const GrainPatches& in_shade(const GrainPatches& grains, const GrainPatches& low
   return lower.pile < 0 ? grains : lower;
 }
 
-/// The middle of the pile's patch, which has to be there: of its pixels within a circle of nearly its own area, so that
-/// arms do not count.
+/// The middle of the pile's patch, which has to be there: of its pixels within a circle that is a little larger than
+/// it, so that arms hardly count.
 Pixel middle_of_pile(const GrainPatches& grains) {
   const Patch& pile = grains.of(grains.pile);
   Pixel middle{pile.x, pile.y};
   const double radius = 1.1 * std::sqrt(pile.area / pi);
   for (int i = 0; i < centrings; ++i) {
     double x = 0.0, y = 0.0, count = 0.0;
-    for (std::size_t row = pile.top; row <= pile.bottom; ++row) {
-      for (std::size_t column = pile.left; column <= pile.right; ++column) {
-        const auto u = static_cast<double>(column);
-        const auto v = static_cast<double>(row);
-        if (grains.patches.at(column, row) != grains.pile || std::hypot(u - middle.x, v - middle.y) > radius) continue;
-        x += u;
-        y += v;
-        count += 1.0;
-      }
-    }
+    grains.patches.for_each_pixel(grains.pile, [&](std::size_t column, std::size_t row) {
+      const auto u = static_cast<double>(column);
+      const auto v = static_cast<double>(row);
+      if (std::hypot(u - middle.x, v - middle.y) > radius) return;
+      x += u;
+      y += v;
+      count += 1.0;
+    });
     if (count > 0.0) middle = {x / count, y / count};
   }
   return middle;
@@ -176,7 +171,7 @@ void check_sensitivity(const PlateView& view, const PhotoDeck& deck, const std::
 PlateView measure_plate(const Image& image, const PhotoDeck& deck, const ScatteringDeck& scattering,
                         const std::string& name) {
   PlateView view;
-  view.pixels_per_metre = pixels_per_metre(deck.scale, name);
+  view.pixels_per_metre = scale_of(deck.scale, name);
   const Subject subject = find_subject(image, deck, Ground::around, name);
   view.contrast = subject.contrast;
   view.noise = subject.noise;
@@ -187,8 +182,8 @@ PlateView measure_plate(const Image& image, const PhotoDeck& deck, const Scatter
     return find_grains(subject, std::max(5.0 * subject.noise, share * subject.contrast), deck.plate.least_roundness,
                        grain_area);
   };
-  const double threshold = std::isnan(deck.threshold) ? default_threshold : deck.threshold;
-  view.grains = grains_at(threshold);
+  const Thresholds thresholds = thresholds_of(deck, default_threshold);
+  view.grains = grains_at(thresholds.best);
   check_grains(view.grains, subject, deck, name);
   if (view.grains.pile < 0 && !is_given(deck.plate.axis)) {
     refuse(name,
@@ -234,17 +229,14 @@ PlateView measure_plate(const Image& image, const PhotoDeck& deck, const Scatter
                      "pile, above plate.most_doubtful = {:.2g}; another threshold or more pixels may help",
                      view.doubtful, view.single + view.merged, deck.plate.most_doubtful));
   }
-  const Tally lower =
-      tally(subject, grains_at(std::max(0.05, threshold - deck.threshold_deviation)), frame, deck, scattering);
-  const Tally upper =
-      tally(subject, grains_at(std::min(0.95, threshold + deck.threshold_deviation)), frame, deck, scattering);
+  const Tally lower = tally(subject, grains_at(thresholds.lower), frame, deck, scattering);
+  const Tally upper = tally(subject, grains_at(thresholds.upper), frame, deck, scattering);
   Frame wider = frame;
   wider.scale *= 1.0 + deck.scale.deviation;
   const Tally scaled = tally(subject, view.grains, wider, deck, scattering);
   const std::vector<Bounds> bounds = bounds_of(view.base_radius, scattering);
-  view.has_area_2 = bounds.size() == 3;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
-    CountedArea area{.from = bounds[i].from, .to = {}};
+    CountedArea area{.number = i + 1 == bounds.size() ? 3 : static_cast<int>(i) + 1, .from = bounds[i].from, .to = {}};
     if (std::isfinite(bounds[i].to)) area.to = bounds[i].to;
     area.count = best.counts[i];
     area.chance = std::sqrt(std::max(1.0, area.count));

@@ -14,6 +14,7 @@ namespace repose::photo {
 
 /// Grains counted in a part of the plate, with what makes the count uncertain.
 struct CountedArea {
+  int number = 1;     ///< 1, 2 or 3
   double from = 0.0;  ///< distance from the axis, m
   std::optional<double> to;
   double count = 0.0;
@@ -27,14 +28,13 @@ struct PlateView {
   std::optional<double> measured_base_radius;
   double base_radius = 0.0;
   std::vector<CountedArea> areas;  ///< 1, 2 (unless 1 reaches 3) and 3
-  bool has_area_2 = true;
-  double grain_diameter = 0.0;  ///< as seen: of the circle with the mean area of single grains
-  double single = 0.0;          ///< grains beside the pile that stand alone
-  double merged = 0.0;          ///< grains that touch others or the pile, beyond its base
-  double doubtful = 0.0;        ///< by how many the areas of the clumps say more or fewer
-  double specks = 0.0;          ///< too small for a grain: not counted
-  double speck_grains = 0.0;    ///< their area, in grains
-  double seen_share = 1.0;      ///< of the plate beyond the outermost circle that the picture shows
+  double grain_diameter = 0.0;     ///< as seen: of the circle with the mean area of single grains
+  double single = 0.0;             ///< grains beside the pile that stand alone
+  double merged = 0.0;             ///< grains that touch others or the pile, beyond its base
+  double doubtful = 0.0;           ///< by how many the areas of the clumps say more or fewer
+  double specks = 0.0;             ///< too small for a grain: not counted
+  double speck_grains = 0.0;       ///< their area, in grains
+  double seen_share = 1.0;         ///< of the plate beyond the outermost circle that the picture shows
   double pixels_per_metre = 0.0;
   Pixel axis;  ///< px
   double contrast = 0.0;

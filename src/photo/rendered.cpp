@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
-#include "measurement/silhouette.h"
+#include "measurement/angle_of_repose.h"
 
 namespace repose::photo {
 namespace {
@@ -83,12 +83,8 @@ Window window_around(std::span<const Disc> discs) {
 }  // namespace
 
 Image rendered_pile(std::span<const Sphere> grains, const AngleOfReposeDeck& deck, double pixels_per_mm) {
-  View view{.axis = deck.axis};
-  if (deck.camera == Camera::perspective) {
-    view.camera_distance = deck.camera_distance;
-    view.camera_height = deck.camera_height;
-  }
-  const std::vector<Disc> discs = project(between(grains, deck.plate_height, deck.max_height), view);
+  const std::vector<Disc> discs =
+      project(between(grains, deck.plate_height, deck.max_height), view_at(parameters_of(deck), 0.0));
   return draw(discs, window_around(discs), 1e3 * pixels_per_mm);
 }
 

@@ -113,11 +113,7 @@ void draw_plate(Canvas& canvas, const Frame& frame) {
 
 Picture silhouette_picture(const AngleOfRepose& result, std::span<const Sphere> pile,
                            const AngleOfReposeParameters& parameters) {
-  const View view{.axis = parameters.axis,
-                  .azimuth = result.views.front().azimuth,
-                  .camera_distance = parameters.camera_distance,
-                  .camera_height = parameters.camera_height};
-  std::vector<Disc> discs = project(pile, view);
+  std::vector<Disc> discs = project(pile, view_at(parameters, result.views.front().azimuth));
   std::sort(discs.begin(), discs.end(), [](const Disc& a, const Disc& b) { return a.nearness < b.nearness; });
   const Silhouette& outline = result.silhouette;
   const Frame frame = frame_around(discs, outline.base, outline.top);

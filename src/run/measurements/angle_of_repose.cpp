@@ -11,20 +11,6 @@ namespace {
 
 constexpr const char* silhouette_name = "silhouette";  // name of the picture, without its ending
 
-AngleOfReposeParameters parameters_of(const AngleOfReposeDeck& deck) {
-  AngleOfReposeParameters parameters;
-  parameters.plate_height = deck.plate_height;
-  parameters.axis = deck.axis;
-  parameters.fit_from = deck.fit_from;
-  parameters.fit_to = deck.fit_to;
-  parameters.azimuths = static_cast<std::size_t>(deck.azimuths);
-  if (deck.camera == Camera::perspective) {
-    parameters.camera_distance = deck.camera_distance;
-    parameters.camera_height = deck.camera_height;
-  }
-  return parameters;
-}
-
 /// Nothing where there is no pile, and none of a plugged vessel, from which a few grains have fallen.
 void measure(const FinishedState& state, Figures& figures) {
   if (figures.contains("plugged") && figures["plugged"] == true) return;

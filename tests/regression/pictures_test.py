@@ -8,7 +8,6 @@ import math
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import matplotlib.image
@@ -16,7 +15,7 @@ import numpy as np
 from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from repose_runs import Program, read_series
+from repose_runs import Program, SharedFolderTest, read_series
 
 REDUCED = ("particles.0.mass=0.1 g", "phase.settle.max_time=20 ms", "phase.settle.min_time=1 ms",
            "phase.discharge.max_time=80 ms", "phase.discharge.min_time=80 ms", "output.series_interval=2 ms")
@@ -28,17 +27,12 @@ def ring(r):
     return 0.5 * SIDES * r * r * math.sin(2.0 * math.pi / SIDES)
 
 
-class Pictures(unittest.TestCase):
-    program = None
-
+class Pictures(SharedFolderTest):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = folder.name
+        super().setUpClass()
         cls.run_folder = os.path.join(cls.folder, "run")
         cls.program.run(cls.program.deck("discharge_quick.toml"), cls.run_folder, *REDUCED)
-        sys.path.insert(0, os.path.join(cls.program.source, "tools", "python"))
 
     def tool(self, name, *arguments):
         return subprocess.run([os.path.join(self.program.source, "tools", name), *arguments], capture_output=True, text=True,

@@ -15,21 +15,16 @@ import unittest
 import h5py
 import numpy as np
 
-from repose_runs import Program, read_series
-from study_decks import CASE, GRID, MORRIS, REDUCED, SEARCH, head
+from repose_runs import Program, SharedFolderTest, read_series
+from study_decks import GRID, MORRIS, REDUCED, SEARCH, case_text, head
 
 sys.dont_write_bytecode = True
 
 
-class Package(unittest.TestCase):
-    program = None
-
+class Package(SharedFolderTest):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = folder.name
-        sys.path.insert(0, os.path.join(cls.program.source, "tools", "python"))
+        super().setUpClass()
         global repose
         import repose
         overrides = dict(text.split("=", 1) for text in REDUCED)
@@ -42,19 +37,6 @@ class Package(unittest.TestCase):
     @classmethod
     def deck(cls, name):
         return cls.program.deck(name)
-
-    @classmethod
-    def path(cls, *names):
-        return os.path.join(cls.folder, *names)
-
-    def study(self, command, text, ranks=2):
-        """The directory of a study that must succeed."""
-        path, output = self.path(self.id() + ".toml"), self.path(self.id())
-        with open(path, "w") as file:
-            file.write(text)
-        done = self.program.call(command, path, "--output", output, "--quiet", ranks=ranks)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return output
 
     def raises(self, pattern, function, *arguments, **named):
         with self.assertRaisesRegex(repose.ReposeError, pattern) as caught:
@@ -276,8 +258,7 @@ class Package(unittest.TestCase):
 
     def test_a_validation(self):
         text = 'title = "two cases"\npublished = "theirs"\n' + "".join(
-            CASE.format(name=name, deck=self.deck("discharge_quick.toml"),
-                        set=json.dumps([*REDUCED, f"run.seed={seed}"]))
+            case_text(name, self.deck("discharge_quick.toml"), [*REDUCED, f"run.seed={seed}"])
             for name, seed in (("one", 1), ("two", 2)))
         validation = repose.open(self.study("validate", text, ranks=0))
         self.assertIsInstance(validation, repose.Validation)

@@ -13,8 +13,8 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as tree
 
-from repose_runs import Program
-from study_decks import CASE, GRID, MASS, MORRIS, REDUCED, SEARCH, SLIDING, head
+from repose_runs import Program, SharedFolderTest
+from study_decks import GRID, MASS, MORRIS, REDUCED, SEARCH, SLIDING, case_text, head
 
 sys.dont_write_bytecode = True
 MOST_BYTES = 5_000_000
@@ -53,27 +53,11 @@ class Page:
         return found
 
 
-class Report(unittest.TestCase):
-    program = None
-
+class Report(SharedFolderTest):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = folder.name
-        sys.path.insert(0, os.path.join(cls.program.source, "tools", "python"))
+        super().setUpClass()
         cls.base = cls.program.deck("discharge_quick.toml")
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
-    def study(self, command, text, ranks=2):
-        path, output = self.path(self.id() + ".toml"), self.path(self.id())
-        with open(path, "w") as file:
-            file.write(text)
-        done = self.program.call(command, path, "--output", output, "--quiet", ranks=ranks)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return output
 
     def read(self, *names):
         with open(os.path.join(*names)) as file:
@@ -237,7 +221,7 @@ class Report(unittest.TestCase):
 
     def test_a_validation(self):
         text = 'title = "two cases"\npublished = "theirs"\n' + "".join(
-            CASE.format(name=name, deck=self.base, set=json.dumps([*PILED, f"run.seed={seed}"]))
+            case_text(name, self.base, [*PILED, f"run.seed={seed}"])
             for name, seed in (("one", 1), ("two", 2)))
         output = self.study("validate", text, ranks=0)
         result, page = self.read(output, "validation.json"), self.page(output)

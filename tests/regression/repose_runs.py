@@ -5,6 +5,7 @@ import csv
 import json
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from concurrent.futures import ThreadPoolExecutor
@@ -76,6 +77,32 @@ class FolderTest(unittest.TestCase):
         self.assertRegex(done.stderr, pattern)
         spoken = [line for line in done.stderr.splitlines() if line.startswith("repose:")]
         self.assertEqual(len(spoken), 1, done.stderr)
+
+
+class SharedFolderTest(unittest.TestCase):
+    """Tests of a program that share a folder, and find the Python package of the source."""
+
+    program = None  # to be set before they are run
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = folder.name
+        sys.path.insert(0, os.path.join(cls.program.source, "tools", "python"))
+
+    @classmethod
+    def path(cls, *names):
+        return os.path.join(cls.folder, *names)
+
+    def study(self, command, text, ranks=2):
+        """The directory of a study that must succeed."""
+        path, output = self.path(self.id() + ".toml"), self.path(self.id())
+        with open(path, "w") as file:
+            file.write(text)
+        done = self.program.call(command, path, "--output", output, "--quiet", ranks=ranks)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return output
 
 
 def read_series(output):

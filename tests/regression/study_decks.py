@@ -31,9 +31,14 @@ laboratory = 40e-6
 deviation = 2e-6
 published = 41e-6
 [[case.compare]]
-figure = "angle_of_repose_deg"
+figure = "{figure}"
 laboratory = 30.0
 """
+
+
+def case_text(name, deck, set, figure="angle_of_repose_deg"):
+    """A case of a validation."""
+    return CASE.format(name=name, deck=deck, set=json.dumps(set), figure=figure)
 
 
 def head(base, title="in small"):

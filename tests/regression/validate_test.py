@@ -13,24 +13,11 @@ import tomllib
 import unittest
 
 from repose_runs import FolderTest, Program
+from study_decks import case_text
 
 # A hundred grains through a wide orifice onto a near plate: seconds.
 REDUCED = ["particles.0.mass=0.05 g", "particles.0.height=20 mm", "output.snapshot_interval=0", "phase.settle.max_time=50 ms",
            "phase.settle.min_time=0", "phase.discharge.max_time=150 ms", "phase.discharge.min_time=0"]
-CASE = """
-[[case]]
-name = "{name}"
-deck = "{deck}"
-set = {set}
-[[case.compare]]
-figure = "discharged_mass_kg"
-laboratory = 40e-6
-deviation = 2e-6
-published = 41e-6
-[[case.compare]]
-figure = "{figure}"
-laboratory = 30.0
-"""
 
 
 class Validate(FolderTest):
@@ -44,7 +31,7 @@ class Validate(FolderTest):
             file.write('published = "theirs"\n')
             for case in cases:
                 deck = self.program.deck("discharge_quick.toml")
-                file.write(CASE.format(**{"deck": deck, "set": REDUCED, "figure": "angle_of_repose_deg", **case}))
+                file.write(case_text(**{"deck": deck, "set": REDUCED, **case}))
         return path
 
     def validate(self, path, *options, ranks=0):

@@ -66,10 +66,7 @@ def warnings(found, runs):
 
 def asked(found):
     deck = found.deck
-    rows = [("base deck", f"<code>{html.escape(deck['base'])}</code>"),
-            ("seeds at each point", html.escape(deck.get("seeds", 1)))]
-    if deck.get("set"):
-        rows.append(("changed for all runs", ", ".join(f"<code>{html.escape(item)}</code>" for item in deck["set"])))
+    rows = study.asked(deck)
     if "adaptive" in deck:
         rows.append(("search", html.escape(", ".join(f"{key} = {value}" for key, value in deck["adaptive"].items()))))
     ranges = [[html.word(p["name"]), f"<code>{html.escape(p['key'])}</code>",

@@ -65,10 +65,7 @@ def tables(found):
 
 def asked(found):
     deck = found.deck
-    rows = [("base deck", f"<code>{html.escape(deck['base'])}</code>"),
-            ("seeds at each point", html.escape(deck.get("seeds", 1)))]
-    if deck.get("set"):
-        rows.append(("changed for all runs", ", ".join(f"<code>{html.escape(item)}</code>" for item in deck["set"])))
+    rows = study.asked(deck)
     if "morris" in deck:
         design = ", ".join(f"{key} = {value}" for key, value in deck["morris"].items())
         rows.append(("walks of Morris", html.escape(design)))

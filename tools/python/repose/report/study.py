@@ -11,6 +11,15 @@ UNDECIDED = (" There is no result: a search may still be deciding on its next po
 MARK = {"failed": "bad", "plugged": "bad", "waiting": "none", "running": "none"}
 
 
+def asked(deck):
+    """Name and value of what the decks of all studies say."""
+    rows = [("base deck", f"<code>{html.escape(deck['base'])}</code>"),
+            ("seeds at each point", html.escape(deck.get("seeds", 1)))]
+    if deck.get("set"):
+        rows.append(("changed for all runs", ", ".join(f"<code>{html.escape(item)}</code>" for item in deck["set"])))
+    return rows
+
+
 class Runs:
     """The runs of a study with their summaries, each read once."""
 

@@ -68,12 +68,16 @@ bool is_peak(const Image& image, std::size_t x, std::size_t y, double reach) {
   return true;
 }
 
+double diameter_of(const GrainPatches& grains) { return 2.0 * std::sqrt(grains.grain_area / pi); }
+
 }  // namespace
 
-std::vector<GrainPeak> find_peaks(const Subject& subject, const GrainPatches& grains, Pixel axis, double beyond) {
-  const double diameter = 2.0 * std::sqrt(grains.grain_area / pi);
-  const int width = 2 * static_cast<int>(0.5 * smoothed_over * diameter) + 1;
-  const Image image = smoothed(subject.excess, width);
+Image smoothed_for(const Subject& subject, const GrainPatches& grains) {
+  return smoothed(subject.excess, 2 * static_cast<int>(0.5 * smoothed_over * diameter_of(grains)) + 1);
+}
+
+std::vector<GrainPeak> find_peaks(const Image& image, const GrainPatches& grains, Pixel axis, double beyond) {
+  const double diameter = diameter_of(grains);
   std::vector<GrainPeak> peaks;
   for (std::size_t y = 0; y < image.height; ++y) {
     for (std::size_t x = 0; x < image.width; ++x) {

@@ -82,11 +82,11 @@ std::vector<Bounds> bounds_of(double base, const ScatteringDeck& scattering) {
   return bounds;
 }
 
-Tally tally(const Subject& subject, const GrainPatches& grains, const Frame& frame, const PhotoDeck& deck,
+Tally tally(const Image& smoothed, const GrainPatches& grains, const Frame& frame, const PhotoDeck& deck,
             const ScatteringDeck& scattering) {
   Tally result{.base = base_of(grains, frame, deck, scattering), .peaks = {}, .counts = {}};
   const double base = std::isnan(scattering.base_radius) ? result.base.value_or(0.0) : scattering.base_radius;
-  result.peaks = find_peaks(subject, grains, frame.axis, base * frame.scale);
+  result.peaks = find_peaks(smoothed, grains, frame.axis, base * frame.scale);
   result.counts = counts(places(grains, result.peaks), frame, bounds_of(base, scattering));
   return result;
 }

@@ -43,7 +43,8 @@ struct Tally {
 };
 
 /// The base by coverage (plate_view.h), and the grains in the areas about it or about the radius that the deck gives.
-Tally tally(const Subject& subject, const GrainPatches& grains, const Frame& frame, const PhotoDeck& deck,
+/// `smoothed` is what smoothed_for makes of the picture and these grains.
+Tally tally(const Image& smoothed, const GrainPatches& grains, const Frame& frame, const PhotoDeck& deck,
             const ScatteringDeck& scattering);
 
 /// What grains look like: as shaded as they are, their patches are smaller or larger than they.

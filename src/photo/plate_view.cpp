@@ -201,7 +201,8 @@ PlateView measure_plate(const Image& image, const PhotoDeck& deck, const Scatter
   view.seen_share = seen_share(image, frame, scattering.area_3_radius, name);
   view.grain_diameter = seen_diameter(view.grains, frame.scale);
 
-  Tally best = tally(subject, view.grains, frame, deck, scattering);
+  const Image smoothed = smoothed_for(subject, view.grains);
+  Tally best = tally(smoothed, view.grains, frame, deck, scattering);
   view.measured_base_radius = best.base;
   view.peaks = std::move(best.peaks);
   if (!best.base && std::isnan(scattering.base_radius)) {
@@ -229,11 +230,15 @@ PlateView measure_plate(const Image& image, const PhotoDeck& deck, const Scatter
                      "pile, above plate.most_doubtful = {:.2g}; another threshold or more pixels may help",
                      view.doubtful, view.single + view.merged, deck.plate.most_doubtful));
   }
-  const Tally lower = tally(subject, grains_at(thresholds.lower), frame, deck, scattering);
-  const Tally upper = tally(subject, grains_at(thresholds.upper), frame, deck, scattering);
+  const auto tally_at = [&](double share) {
+    const GrainPatches grains = grains_at(share);
+    return tally(smoothed_for(subject, grains), grains, frame, deck, scattering);
+  };
+  const Tally lower = tally_at(thresholds.lower);
+  const Tally upper = tally_at(thresholds.upper);
   Frame wider = frame;
   wider.scale *= 1.0 + deck.scale.deviation;
-  const Tally scaled = tally(subject, view.grains, wider, deck, scattering);
+  const Tally scaled = tally(smoothed, view.grains, wider, deck, scattering);
   const std::vector<Bounds> bounds = bounds_of(view.base_radius, scattering);
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     CountedArea area{.number = i + 1 == bounds.size() ? 3 : static_cast<int>(i) + 1, .from = bounds[i].from, .to = {}};

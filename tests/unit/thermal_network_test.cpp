@@ -1,6 +1,7 @@
 // The conductivity of networks of grains against hand calculations.
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/math.h"

@@ -1,6 +1,7 @@
 // Tables 5.1 and 5.2 of the thesis from their own readings, and the correction of readings with mica.
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/philox.h"

@@ -1,6 +1,7 @@
 // Transients in files: made, read, evaluated, refused.
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "thermal/plane_source/transient.h"

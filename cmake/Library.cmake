@@ -15,7 +15,7 @@ target_compile_definitions(repose_flags INTERFACE OMPI_SKIP_MPICXX)
 option(REPOSE_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 # One build for both: the sources are instrumented once. Coverage, by which the fuzzer chooses, only where a target leads.
 option(REPOSE_FUZZ "Build the fuzz targets with clang's libFuzzer, too" OFF)
-set(FUZZED_ROOMS base comm files deck scene domain measurement output thermal)
+set(FUZZED_ROOMS base comm files deck scene domain heat measurement output thermal)
 # The compiler works longest on what it optimises and instruments; here no run and no test spends its time.
 set(COLD_ROOMS deck files pictures output run campaign commands)
 set(BRIEF_ROOMS pictures run campaign commands)

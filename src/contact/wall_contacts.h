@@ -39,6 +39,11 @@ class WallContacts {
   WallAlarms evaluate(VectorLevel level, std::span<const Wall> walls, const MaterialTable& materials, double dt,
                       double max_overlap, Particles& particles);
 
+  /// Calls visit(particle, touch) for what is nearer to the surface of an owned particle than `share` of its radius,
+  /// which the reaches of the last build must have covered. False when there was more at a particle than a TouchBuffer
+  /// holds; the rest is left out.
+  template <class Visit>
+  bool for_each_near(std::span<const Wall> walls, const Particles& particles, double share, Visit&& visit) const;
   /// All that touch, in the order of the particles.
   std::vector<WallContact> contacts(std::span<const Wall> walls, const Particles& particles) const;
   std::size_t in_lanes() const;  ///< particles in the lanes of faces
@@ -74,5 +79,31 @@ class WallContacts {
   std::vector<WallContact> before_;                ///< those of the step before, while evaluate runs
   std::vector<std::vector<std::int32_t>> of_law_;  ///< contacts_ by material of the particle and by wall
 };
+
+template <class Visit>
+bool WallContacts::for_each_near(std::span<const Wall> walls, const Particles& particles, double share,
+                                 Visit&& visit) const {
+  bool all_seen = true;
+  TouchBuffer touches;
+  for (const Candidate& candidate : candidates_) {
+    const auto i = static_cast<std::size_t>(candidate.particle);
+    const ParticleRecord& p = particles.record[i];
+    if (is_parked(p)) continue;
+    const Vec3 centre = particles.position(i);
+    const double reach = p.radius * (1.0 + share);
+    touches.clear();
+    for (std::int32_t k = 0; k < candidate.walls; ++k) {
+      const std::int32_t w = candidate_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
+      const Wall& wall = walls[static_cast<std::size_t>(w)];
+      if (wall.present) find_touches(wall, w, centre, reach, touches);
+    }
+    if (touches.size() > 1) resolve_touches(touches, p.radius);
+    all_seen = all_seen && !touches.overflowed();
+    for (const WallTouch& touch : touches.touches()) {
+      if (touch.superseded_by < 0) visit(i, touch);
+    }
+  }
+  return all_seen;
+}
 
 }  // namespace repose

@@ -27,6 +27,9 @@ void check_particles(const Deck& deck, DeckErrors& errors);
 /// That a box [min, max] of a section has a volume (a part of check_deck).
 void check_box(const std::string& section, const Vec3& min, const Vec3& max, DeckErrors& errors);
 
+/// What [heat] needs of materials, walls and blocks, and what needs [heat] (a part of check_deck).
+void check_heat(const Deck& deck, DeckErrors& errors);
+
 /// Periodic directions and named exits (a part of check_deck).
 void check_domain(const Deck& deck, DeckErrors& errors);
 

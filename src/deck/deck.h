@@ -5,6 +5,7 @@
 #include "base/vec3.h"
 #include "deck/contact_keys.h"
 #include "deck/domain_keys.h"
+#include "deck/heat_keys.h"
 #include "deck/measurement_keys.h"
 #include "deck/particle_keys.h"
 #include "deck/phase_keys.h"
@@ -26,6 +27,7 @@ struct Deck : MeasurementDecks {
   ContactDeck contact;
   std::vector<WallDeck> walls;           ///< [[wall]]
   std::vector<ParticlesDeck> particles;  ///< [[particles]]
+  HeatDeck heat;
   TiltDeck tilt;
   TimeDeck time;
   std::vector<PhaseDeck> phases;  ///< [[phase]]
@@ -47,6 +49,7 @@ void describe(V& v, Deck& d) {
   v.section("contact", d.contact, optional, "the contact law; the defaults are that of the thesis");
   v.sections("wall", d.walls, optional, "a rigid surface, felt from both sides");
   v.sections("particles", d.particles, required, "a block of spheres");
+  v.section("heat", d.heat, optional, "the particles have temperatures and exchange heat");
   v.section("tilt", d.tilt, optional, "tilts the apparatus: gravity turns the other way");
   v.section("time", d.time, optional, "the time step");
   v.sections("phase", d.phases, required, "a stage of the run; the phases follow each other");

@@ -113,6 +113,9 @@ struct ParticlesDeck {
   bool fixed = false;                               ///< held in place, of infinite mass
   bool rotation_blocked = false;                    ///< moves but never turns
   std::vector<MotionDeck> motions;                  ///< [[particles.motion]]: held on a prescribed path
+  double temperature = unset;                       ///< default: that of [heat]
+  bool isothermal = false;                          ///< keeps its temperature, whatever heat flows
+  double heating = 0.0;                             ///< power of sources inside per mass
 };
 
 template <class V>
@@ -189,6 +192,10 @@ void describe(V& v, ParticlesDeck& p) {
   describe_pour(v, p);
   v("fixed", p.fixed, Unit::none, any_value, optional, "held in place, as if glued; of infinite mass");
   v("rotation_blocked", p.rotation_blocked, Unit::none, any_value, optional, "the particles move but never turn");
+  v("temperature", p.temperature, Unit::kelvin, above_to(0, 5000), optional_else("heat.temperature"),
+    "when they enter; needs [heat]");
+  v("isothermal", p.isothermal, Unit::none, any_value, optional, "they keep their temperature, whatever heat flows");
+  v("heating", p.heating, Unit::specific_power, any_value, optional, "power of sources of heat inside per mass");
   v.sections("motion", p.motions, optional, "moves the particles along a prescribed path, whatever they touch");
   v.section("sizes", p.sizes, optional.when(is_measured, "type = fill, pour"), "distribution of the diameters");
 }

@@ -71,6 +71,7 @@ struct PhaseDeck {
   std::int64_t steps = 0;         ///< steps: length of the phase
   double min_time = 0.0;
   double max_time = unset;  ///< ends the phase whatever its condition; required with kinetic_energy
+  bool mechanics = true;    ///< false: nothing moves, heat alone goes on
   std::vector<std::string> remove_walls;
   std::vector<std::string> add_walls;
 };
@@ -91,6 +92,8 @@ void describe(V& v, PhaseDeck& p) {
     by_energy || p.until == PhaseUntil::tilt_onset ? required
                                                    : optional_else("none; kinetic_energy and tilt_onset need it"),
     "ends the phase whatever its condition says");
+  v("mechanics", p.mechanics, Unit::none, any_value, optional,
+    "false: every grain stays where it is and heat alone goes on; needs [heat]");
   v("remove_walls", p.remove_walls, Unit::none, any_value, optional, "walls that vanish at the start of the phase");
   v("add_walls", p.add_walls, Unit::none, any_value, optional, "walls that appear at the start of the phase");
 }

@@ -36,6 +36,8 @@ constexpr Symbol angular_speed[] = {{"rad/s", 0}, {"deg/s", 0, pi / 180.0}, {"rp
 constexpr Symbol stiffness[] = {{"N/m", 0}, {"kN/m", 3}, {"N/mm", 3}, {"mN/m", -3}, {"J/m2", 0}, {"mJ/m2", -3}};
 constexpr Symbol kelvin[] = {{"K", 0}, {"mK", -3}};
 constexpr Symbol watt[] = {{"W", 0}, {"mW", -3}};
+constexpr Symbol conductance[] = {{"W/K", 0}, {"mW/K", -3}};
+constexpr Symbol specific_power[] = {{"W/kg", 0}, {"kW/kg", 3}};
 constexpr Symbol ohm[] = {{"ohm", 0}};
 constexpr Symbol conductivity[] = {{"W/(m K)", 0}, {"mW/(m K)", -3}};
 constexpr Symbol specific_heat[] = {{"J/(kg K)", 0}, {"kJ/(kg K)", 3}};
@@ -85,6 +87,10 @@ Dimension dimension(Unit unit) {
       return {"a temperature", kelvin};
     case Unit::watt:
       return {"a power", watt};
+    case Unit::conductance:
+      return {"a thermal conductance", conductance};
+    case Unit::specific_power:
+      return {"a power per mass", specific_power};
     case Unit::ohm:
       return {"a resistance", ohm};
     case Unit::conductivity:

@@ -24,6 +24,8 @@ enum class Unit {
   stiffness,
   kelvin,
   watt,
+  conductance,
+  specific_power,
   ohm,
   conductivity,
   specific_heat,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "deck/heat_keys.h"
 #include "deck/key.h"
 
 /// Walls and motions.
@@ -77,6 +78,7 @@ struct WallDeck {
   Vec3 translate;                             ///< mesh: after scale and rotation
   double feature_angle = 20.0;                ///< mesh: degrees; facets that turn by less are one smooth surface
   std::vector<MotionDeck> motions;            ///< [[wall.motion]], the first one applied first
+  WallHeatDeck heat = {};                     ///< [wall.heat]
 };
 
 template <class V>
@@ -125,6 +127,7 @@ void describe(V& v, WallDeck& w) {
     "other edge from the corner, perpendicular to edge_u");
   describe_mesh(v, w);
   v.sections("motion", w.motions, optional, "moves the wall; several are applied one after the other");
+  v.section("heat", w.heat, optional, "what heat the wall gives the grains; without it the wall keeps all heat in");
 }
 
 }  // namespace repose

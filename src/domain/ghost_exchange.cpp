@@ -24,6 +24,7 @@ struct Image {
 };
 
 constexpr int tag = 2;
+constexpr int tag_of_values = 3;
 
 }  // namespace
 
@@ -208,6 +209,32 @@ void GhostExchange::finish(Particles& particles) {
     ghost.velocity = receive_buffer_[k].velocity;
     ghost.spin = receive_buffer_[k].spin;
   }
+}
+
+void GhostExchange::share(std::size_t owned, std::span<double> values) const {
+  std::vector<double> send(send_index_.size());
+  for (std::size_t k = 0; k < send.size(); ++k) send[k] = values[send_index_[k]];
+  const std::span<double> ghosts = values.subspan(owned);
+  std::vector<MPI_Request> requests;
+  for (const Link& link : receives_) {
+    if (!is_remote(link)) continue;
+    check_mpi(MPI_Irecv(&ghosts[link.begin], static_cast<int>(link.count), MPI_DOUBLE, link.rank, tag_of_values,
+                        comm_.handle(), &requests.emplace_back(MPI_REQUEST_NULL)),
+              "MPI_Irecv");
+  }
+  for (const Link& link : sends_) {
+    if (is_remote(link)) {
+      check_mpi(MPI_Isend(&send[link.begin], static_cast<int>(link.count), MPI_DOUBLE, link.rank, tag_of_values,
+                          comm_.handle(), &requests.emplace_back(MPI_REQUEST_NULL)),
+                "MPI_Isend");
+      comm_.count_sent(1, static_cast<std::int64_t>(link.count * sizeof(double)));
+      continue;
+    }
+    const auto own = std::find_if(receives_.begin(), receives_.end(), [&](const Link& r) { return !is_remote(r); });
+    if (own != receives_.end()) std::copy_n(&send[link.begin], link.count, &ghosts[own->begin]);
+  }
+  if (requests.empty()) return;
+  check_mpi(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
 }
 
 }  // namespace repose

@@ -45,6 +45,8 @@ class GhostExchange {
   bool advance();
   /// Waits for the motion of this rank's ghosts and stores it.
   void finish(Particles& particles);
+  /// Collective. `values`: one of every particle, the ghosts behind the owned; gives each ghost that of its original.
+  void share(std::size_t owned, std::span<double> values) const;
 
  private:
   /// The ghosts exchanged with one rank; with its own, the images of its own particles.

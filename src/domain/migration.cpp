@@ -14,6 +14,7 @@ struct Passport {
   std::int64_t id;
   std::int64_t pair_contacts;
   std::int64_t wall_contacts;
+  std::int64_t heat;  ///< 0 without [heat]
   std::int32_t material;
 };
 
@@ -22,6 +23,7 @@ struct Arrivals {
   std::vector<ParticleRecord> record;
   std::vector<std::int64_t> id;
   std::vector<std::int32_t> material;
+  std::vector<std::int64_t> heat;
   std::vector<std::size_t> stayed;  ///< the first of them: where their contact memories are
   ContactMemory memory;             ///< of the rest
 };
@@ -31,7 +33,7 @@ void pack(const Particles& particles, const ContactMemory& memory, std::size_t i
   const auto pairs = memory.pairs.row(i);
   const auto walls = memory.walls.row(i);
   buffer.put(Passport{particles.record[i], particles.id[i], static_cast<std::int64_t>(pairs.size()),
-                      static_cast<std::int64_t>(walls.size()), particles.material[i]});
+                      static_cast<std::int64_t>(walls.size()), particles.has_heat ? particles.heat[i] : 0, particles.material[i]});
   buffer.put_all(pairs);
   buffer.put_all(walls);
 }
@@ -42,6 +44,7 @@ void unpack(const std::vector<char>& bytes, Arrivals& arrivals) {
     arrivals.record.push_back(passport.record);
     arrivals.id.push_back(passport.id);
     arrivals.material.push_back(passport.material);
+    arrivals.heat.push_back(passport.heat);
     const auto pairs = buffer.get_vector<PairMemory>(static_cast<std::size_t>(passport.pair_contacts));
     const auto walls = buffer.get_vector<WallMemory>(static_cast<std::size_t>(passport.wall_contacts));
     arrivals.memory.pairs.append_row(pairs);
@@ -72,10 +75,12 @@ void sort_into(const Arrivals& arrivals, Particles& particles, ContactMemory& me
   particles.record.clear();
   particles.id.clear();
   particles.material.clear();
+  particles.heat.clear();
   for (const std::size_t i : order) {
     particles.record.push_back(arrivals.record[i]);
     particles.id.push_back(arrivals.id[i]);
     particles.material.push_back(arrivals.material[i]);
+    if (particles.has_heat) particles.heat.push_back(arrivals.heat[i]);
   }
   memory.pairs = gather_rows(arrivals, memory.pairs, arrivals.memory.pairs, order);
   memory.walls = gather_rows(arrivals, memory.walls, arrivals.memory.walls, order);
@@ -94,6 +99,7 @@ void migrate(const Communicator& comm, const Decomposition& decomposition, Parti
       arrivals.record.push_back(particles.record[i]);
       arrivals.id.push_back(particles.id[i]);
       arrivals.material.push_back(particles.material[i]);
+      arrivals.heat.push_back(particles.has_heat ? particles.heat[i] : 0);
       arrivals.stayed.push_back(i);
     } else {
       pack(particles, memory, i, leaving[static_cast<std::size_t>(owner)]);

@@ -28,7 +28,7 @@ class Hdf5Reader {
   bool has_attribute(const std::string& name) const;
   /// An attribute of an array.
   std::vector<std::string> read_texts(const std::string& name, const std::string& dataset) const;
-  /// Whether there is a group or an array of this name right below the root.
+  /// Whether there is a group or an array of this name; the group it is in must be there.
   bool has(const std::string& object) const;
 
   /// Rows of an array of one or two dimensions. With T = double an array of real numbers is expected, else one of

@@ -49,6 +49,7 @@ std::string state_hash(const Communicator& comm, const Particles& particles, con
     digest.add(particles.position(i));
     digest.add(p.velocity);
     digest.add(p.spin);
+    if (particles.has_heat) digest.add(static_cast<std::uint64_t>(particles.heat[i]));
     std::vector<PairMemory> with_particles(pair_memory.row(i).begin(), pair_memory.row(i).end());
     std::sort(with_particles.begin(), with_particles.end(),
               [](const PairMemory& a, const PairMemory& b) { return a.partner < b.partner; });

@@ -67,6 +67,7 @@ void write_particles(Writer& writer, const Particles& p, const ContactMemory& me
       "/particles/force_sum", 3, kept, [&](I i) -> const auto& { return p.sum[i].force; });
   writer.write<std::int64_t>(
       "/particles/torque_sum", 3, kept, [&](I i) -> const auto& { return p.sum[i].torque; });
+  if (p.has_heat) writer.write<std::int64_t>("/particles/heat", 1, kept, [&](I i) { return p.heat[i]; });
   writer.write<std::int64_t>("/particles/pair_contacts", 1, kept, [&](I i) { return std::ssize(memory.pairs.row(i)); });
   writer.write<std::int64_t>("/particles/wall_contacts", 1, kept, [&](I i) { return std::ssize(memory.walls.row(i)); });
 }
@@ -81,7 +82,7 @@ std::vector<T> items_of(const Csr<T>& csr, const std::vector<std::size_t>& kept)
 
 /// Bytes of a whole file with `particles` rows and so many contacts, generously.
 std::int64_t most_bytes(std::int64_t particles, std::int64_t pairs, std::int64_t walls, std::size_t text) {
-  constexpr std::int64_t of_particle = 8 + 4 + 10 * 8 + 6 * 8 + 2 * 8;
+  constexpr std::int64_t of_particle = 8 + 4 + 10 * 8 + 6 * 8 + 2 * 8 + 8;
   constexpr std::int64_t of_history = 6 * 8 + 8;
   constexpr std::int64_t of_hdf5 = 1 << 16;
   return of_hdf5 + particles * of_particle + (pairs + walls) * of_history + static_cast<std::int64_t>(text);

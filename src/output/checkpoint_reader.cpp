@@ -65,6 +65,7 @@ class Reader {
       std::copy_n(&force[3 * i], 3, sum.force);
       std::copy_n(&torque[3 * i], 3, sum.torque);
     }
+    if (file_.has("/particles/heat")) p.heat = mine<std::int64_t>("/particles/heat", 1);
     p.owned = p.id.size();
   }
 

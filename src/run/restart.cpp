@@ -76,6 +76,7 @@ void save(Checkpoints& checkpoints, const OutputOptions& options, const Simulati
   state("position", position);
   state("simulation", simulation);
   state("left", sum_of(comm, simulation.left_here()));
+  if (simulation.heat() != nullptr) state("heat", sum_of(comm, simulation.heat()->ledger_here()));
   state("recorder", recorder);
   nlohmann::json all = state.json();
   all["files"] = files.checksums();
@@ -100,6 +101,7 @@ RunPosition restore(FoundCheckpoint found, Simulation& simulation, Recorder& rec
   const Communicator& comm = simulation.comm();
   RunPosition position;
   ExitCount left;
+  HeatLedger heat = HeatLedger::none(simulation.walls().size());
   agree_after(comm, [&] {
     const nlohmann::json state = state_of(found);
     check_files(found, state, files);
@@ -107,9 +109,11 @@ RunPosition restore(FoundCheckpoint found, Simulation& simulation, Recorder& rec
     reader("position", position);
     reader("simulation", simulation);
     reader("left", left);
+    if (simulation.heat() != nullptr) reader("heat", heat);
     reader("recorder", recorder);
   });
-  simulation.restore(std::move(found.checkpoint.particles), std::move(found.checkpoint.memory), left);
+  simulation.restore(std::move(found.checkpoint.particles), std::move(found.checkpoint.memory), left,
+                     heat);
   if (hash_of(simulation) != found.checkpoint.header.state_hash) {
     throw FileError(fmt::format("{}: does not give the state it was written from", found.path));
   }

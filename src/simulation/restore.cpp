@@ -54,6 +54,7 @@ void check_fit(const Simulation& simulation, const Particles& particles, const C
     if (!is_among(particles.material[i], static_cast<std::int64_t>(simulation.materials().size())))
       refuse("it has other materials");
   }
+  if (particles.heat.size() != (simulation.heat() != nullptr ? particles.owned : 0)) refuse("it has other heat");
   for (const WallMemory& contact : memory.walls.items) {
     if (!is_among(contact.wall, std::ssize(simulation.walls()))) refuse("it has other walls");
   }
@@ -61,10 +62,12 @@ void check_fit(const Simulation& simulation, const Particles& particles, const C
 
 }  // namespace
 
-void Simulation::restore(Particles particles, ContactMemory memory, const ExitCount& left) {
+void Simulation::restore(Particles particles, ContactMemory memory, const ExitCount& left,
+                         const HeatLedger& heat) {
   agree_after(comm_, [&] { check_fit(*this, particles, memory, left); });
   scene_.place(time_step_.step);
   particles.periodic = particles_.periodic;
+  particles.has_heat = particles_.has_heat;
   particles_ = std::move(particles);
   wrap_positions(particles_);
   const std::vector<SumOfParticle> sums = force_sums(particles_);
@@ -74,6 +77,7 @@ void Simulation::restore(Particles particles, ContactMemory memory, const ExitCo
   bring_back(comm_, decomposition_, sums, particles_);  // a rebuild drops them: mostly it comes right before the forces
   counters_ = counters;
   counters_.peak_ghosts = static_cast<std::int64_t>(particles_.ghosts());
+  if (heat_) heat_->set_ledger(comm_.is_root() ? heat : HeatLedger::none(walls().size()));
   left_ = comm_.is_root() ? left : ExitCount::none(deck_.exits.size());
   warning_.reset();
   clock_ = {};

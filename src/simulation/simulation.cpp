@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include <fmt/core.h>
+
 #include "contact/adhesion_range.h"
 #include "domain/migration.h"
 #include "integration/velocity_verlet.h"
@@ -37,6 +39,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
       ghosts_(comm),
       load_(comm) {
   particles_.periodic = Periodicity(deck_.domain);
+  particles_.has_heat = deck_.heat.enabled;
   open_domain_ = particles_.periodic.open_bounds(deck_.domain);
   left_ = ExitCount::none(deck_.exits.size());
   Insertion insertion = insert_particles_of(deck_, walls(), read_file);
@@ -47,10 +50,13 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
   const double adhesion_range = longest_holding_distance(materials_, smallest, insertion.largest_radius());
   safe_step_ = longest_way / std::sqrt(3.0) * smallest;
-  const double longest = longest_skin(particles_.periodic, insertion.largest_radius() + adhesion_range);
+  if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion);
+  const double heat_share = heat_ ? heat_->state().conductance().reach_share() : 0.0;
+  const double longest =
+      longest_skin(particles_.periodic, insertion.largest_radius() * (1.0 + heat_share) + adhesion_range);
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
   watch_ = SkinWatch({deck_.neighbours.inner_skin, horizon(inner_horizon_steps), 0.5 * longest, adhesion_range},
-                     {deck_.neighbours.skin, horizon(outer_horizon_steps), longest, adhesion_range});
+                     {deck_.neighbours.skin, horizon(outer_horizon_steps), longest, adhesion_range, heat_share});
   scene_.set_wall_skins(deck_, watch_.inner().horizon, watch_.outer().horizon);
   planned_ = insertion.planned;
   mass_unit_ = MassUnit(planned_mass(insertion, materials_));
@@ -72,6 +78,7 @@ void Simulation::insert(const NewParticles& all) {
   const auto rank = static_cast<std::size_t>(comm_.rank());
   for (std::size_t i = all.size() * rank / ranks; i < all.size() * (rank + 1) / ranks; ++i) {
     append_particle(all, i, particles_);
+    if (heat_) heat_->enter(particles_);
   }
   particles_.owned = particles_.id.size();
 }
@@ -79,26 +86,64 @@ void Simulation::insert(const NewParticles& all) {
 void Simulation::advance(std::int64_t steps) {
   const double dt = time_step_.step;
   for (std::int64_t k = 0; k < steps; ++k) {
-    clock_.begin_step();
-    clock_.enter(Stage::integration);
-    const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
-    const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), particles_);
-    const bool may_be_unfit = notes.nowhere || notes.longest_step >= safe_step_;
-    if (may_be_unfit && !alarm_) alarm_ = find_unfit(guard_view(steps_ + 1));
-    scene_.step(dt, particles_);
-    if (notes.outside > parked_ && !alarm_) count_leavers();
-    const bool skin_used_up = notes.skin_used_up || scene_.held().skin_used_up(watch_.inner_marks(), particles_);
-    const ListState state = agreed_list_state(skin_used_up);
-    const bool grows = steps_ + 1 == pouring_.next_step() && pour();
-    renew_lists(grows ? ListState::outer_stale : state);
-    evaluate_forces(dt);
-    load_.count_step(pairs_.lanes(), particles_.ghosts());
-    ++steps_;
+    if (moves_) {
+      move(k, dt);
+    } else {
+      stand_still();
+    }
+    if (heat_ && steps_ % heat_->every() == 0) advance_heat();
   }
-  clock_.enter(Stage::integration);
-  step_second_half(level_, scene_.gravity(), dt, particles_);
-  scene_.put_back(particles_);
+  if (moves_) {
+    clock_.enter(Stage::integration);
+    step_second_half(level_, scene_.gravity(), dt, particles_);
+    scene_.put_back(particles_);
+  }
   clock_.enter(Stage::output);
+}
+
+void Simulation::begin_phase(const std::string& name) {
+  scene_.begin_phase(name);
+  const auto phase =
+      std::find_if(deck_.phases.begin(), deck_.phases.end(), [&](const PhaseDeck& p) { return p.name == name; });
+  moves_ = phase == deck_.phases.end() || phase->mechanics;
+}
+
+/// A step in which nothing moves.
+void Simulation::stand_still() {
+  ++steps_;
+  if (steps_ != pouring_.next_step() || alarm_ || particles_.owned == 0) return;
+  alarm_ = alarm_at(guard_view(steps_), 0, particles_.position(0),
+                    "particles are to be poured in a phase without mechanics, where none can enter");
+}
+
+/// The k-th step of a call of advance.
+void Simulation::move(std::int64_t k, double dt) {
+  clock_.begin_step();
+  clock_.enter(Stage::integration);
+  const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
+  const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), particles_);
+  const bool may_be_unfit = notes.nowhere || notes.longest_step >= safe_step_;
+  if (may_be_unfit && !alarm_) alarm_ = find_unfit(guard_view(steps_ + 1));
+  scene_.step(dt, particles_);
+  if (notes.outside > parked_ && !alarm_) count_leavers();
+  const bool skin_used_up = notes.skin_used_up || scene_.held().skin_used_up(watch_.inner_marks(), particles_);
+  const ListState state = agreed_list_state(skin_used_up);
+  const bool grows = steps_ + 1 == pouring_.next_step() && pour();
+  renew_lists(grows ? ListState::outer_stale : state);
+  evaluate_forces(dt);
+  load_.count_step(pairs_.lanes(), particles_.ghosts());
+  ++steps_;
+}
+
+void Simulation::advance_heat() {
+  clock_.enter(Stage::heat);
+  const auto every = static_cast<double>(heat_->every());
+  const HeatScene scene{comm_, ghosts_, pairs_, wall_contacts_, walls(), time(), every * time_step_.step};
+  const std::optional<HeatFault> fault = heat_->advance(scene, particles_);
+  if (!fault || alarm_) return;
+  alarm_ = alarm_at(guard_view(steps_), fault->particle, particles_.position(fault->particle),
+                    fmt::format("particle {} at {}: {}", particles_.id[fault->particle],
+                                place_text(particles_.position(fault->particle)), fault->what));
 }
 
 /// Whether particles enter at this step.
@@ -117,6 +162,7 @@ void Simulation::admit(ContactMemory& memory) {
   for (std::size_t i = 0; i < entering_.size(); ++i) {
     if (decomposition_.owner(entering_.position[i]) != comm_.rank()) continue;
     append_particle(entering_, i, particles_);
+    if (heat_) heat_->enter(particles_);
     memory.pairs.append_row({});
     memory.walls.append_row({});
   }
@@ -160,6 +206,7 @@ void Simulation::select_near() {
 
 void Simulation::count_leavers() {
   retire_leavers(open_domain_, deck_.exits, materials_, mass_unit_, particles_, left_);
+  if (heat_) heat_->take_leavers(particles_);
   watch_.ignore_parked(particles_);
   parked_ = 0;
   for (std::size_t i = 0; i < particles_.owned; ++i) parked_ += is_parked(particles_.record[i]) ? 1U : 0U;

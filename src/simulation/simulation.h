@@ -11,6 +11,7 @@
 #include "domain/decomposition.h"
 #include "domain/exits.h"
 #include "domain/ghost_exchange.h"
+#include "heat/heat_transfer.h"
 #include "integration/time_step.h"
 #include "neighbours/list_horizon.h"
 #include "neighbours/pair_lists.h"
@@ -65,7 +66,7 @@ class Simulation {
   /// forgotten.
   void set_wall_present(const std::string& name, bool present) { scene_.set_wall_present(name, present); }
   /// Starts the motions and the tilt that belong to a phase, and stops the others.
-  void begin_phase(const std::string& name) { scene_.begin_phase(name); }
+  void begin_phase(const std::string& name);
 
   /// What the contacts of the owned particles remember.
   ContactMemory contact_memory() const { return {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)}; }
@@ -77,11 +78,12 @@ class Simulation {
     v("pouring", self.pouring_);
     v("counters", self.counters_);
     v("warned_of_time_step", self.warned_of_time_step_);
+    v("moves", self.moves_);
   }
   /// Collective. Once describe_state has been read, replaces everything else by what the ranks bring of another
-  /// simulation of the same deck: particles with their force sums, by any rank, what their contacts remember, and what
-  /// had left all ranks. The next steps give the same bits as those of the other simulation.
-  void restore(Particles particles, ContactMemory memory, const ExitCount& left);
+  /// simulation of the same deck: particles with their force sums, by any rank, what their contacts remember, what had
+  /// left all ranks, and where their heat had come from. The next steps give the same bits as those of the other simulation.
+  void restore(Particles particles, ContactMemory memory, const ExitCount& left, const HeatLedger& heat = {});
 
   const Communicator& comm() const { return comm_; }
   const Deck& deck() const { return deck_; }
@@ -96,6 +98,8 @@ class Simulation {
   const TimeStep& time_step() const { return time_step_; }
   const RunCounters& counters() const { return counters_; }
   const ExitCount& left_here() const { return left_; }  ///< on this rank
+  /// Null without [heat].
+  const HeatTransfer* heat() const { return heat_ ? &*heat_ : nullptr; }
   const SkinWatch& skins() const { return watch_; }
   /// Where this rank's time has gone since the set-up; what happens between two calls of advance is Stage::output.
   const StageClock& clock() const { return clock_; }
@@ -131,6 +135,9 @@ class Simulation {
   ListState agreed_list_state(bool inner_used_up);
   void renew_lists(ListState state);
   void select_near();
+  void move(std::int64_t k, double dt);
+  void stand_still();
+  void advance_heat();
   void evaluate_forces(double dt);
   bool evaluate_group(PairGroup& group, double dt);
 
@@ -159,6 +166,8 @@ class Simulation {
   ListHorizon list_horizon_;
   PairLists pairs_;
   WallContacts wall_contacts_;
+  std::optional<HeatTransfer> heat_;
+  bool moves_ = true;  ///< false: heat alone goes on
   std::int64_t steps_ = 0;
   StageClock clock_;
   RankLoad load_;

@@ -9,9 +9,9 @@
 namespace repose {
 
 /// What a rank spends its time on.
-enum class Stage { pair_contacts, wall_contacts, integration, lists, ghosts, agreement, output };
-inline constexpr std::array<const char*, 7> stage_names = {"pair_contacts", "wall_contacts", "integration", "lists",
-                                                           "ghosts",        "agreement",     "output"};
+enum class Stage { pair_contacts, wall_contacts, integration, lists, ghosts, agreement, heat, output };
+inline constexpr std::array<const char*, 8> stage_names = {"pair_contacts", "wall_contacts", "integration", "lists",
+                                                           "ghosts",        "agreement",     "heat",        "output"};
 
 /// Adds up the time of each stage on one rank: every moment belongs to the stage that was entered last. One read of the
 /// wall clock per change, tens of nanoseconds. Where ranks share a core, wall time says nothing of a rank's own work,

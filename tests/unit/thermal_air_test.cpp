@@ -1,7 +1,7 @@
 // Air against the figures that its sources print.
 #include <gtest/gtest.h>
 
-#include "thermal/beds/air.h"
+#include "heat/air.h"
 
 namespace repose::thermal {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/math.h"
-#include "thermal/beds/air.h"
+#include "heat/air.h"
 #include "thermal/beds/bed_conductivity.h"
 #include "thermal/tools/bed_tool.h"
 #include "thermal_files.h"

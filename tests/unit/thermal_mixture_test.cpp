@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "thermal/beds/air.h"
+#include "heat/air.h"
 #include "thermal/beds/mixture.h"
 #include "thermal/tools/mixture_tool.h"
 #include "thermal_files.h"

@@ -6,9 +6,9 @@
 
 #include "base/math.h"
 #include "base/philox.h"
-#include "thermal/beds/air.h"
+#include "heat/air.h"
 #include "thermal/beds/bed_conductivity.h"
-#include "thermal/beds/gap_conductance.h"
+#include "heat/gap_conductance.h"
 #include "thermal/beds/network.h"
 #include "thermal/tools/network_tool.h"
 #include "thermal_files.h"

@@ -43,6 +43,8 @@ struct Particles {
   std::vector<std::int32_t> material;
   std::vector<double> force_to_acceleration;   ///< owned: fixed-point force to m/s2
   std::vector<double> torque_to_acceleration;  ///< owned: fixed-point torque to rad/s2
+  std::vector<std::int64_t> heat;              ///< owned: in the run's HeatUnit; empty without [heat]
+  bool has_heat = false;                       ///< the same on all ranks
   std::size_t owned = 0;
   Periodicity periodic;
 
@@ -54,7 +56,7 @@ struct Particles {
   std::size_t ghosts() const { return total() - owned; }
   std::size_t bytes() const {
     return bytes_of(record) + bytes_of(sum) + bytes_of(id) + bytes_of(material) + bytes_of(force_to_acceleration) +
-           bytes_of(torque_to_acceleration);
+           bytes_of(torque_to_acceleration) + bytes_of(heat);
   }
 };
 

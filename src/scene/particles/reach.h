@@ -17,6 +17,7 @@ struct SkinRule {
   double horizon;                                            ///< s
   double longest = std::numeric_limits<double>::infinity();  ///< m
   double adhesion_range = 0.0;  ///< m, how far apart surfaces that have touched may hold together; added to reaches
+  double heat_share = 0.0;      ///< how far apart surfaces exchange heat, over the radius; added to reaches
 };
 
 /// Where a particle was when a list was made, and the square of its skin then.
@@ -29,7 +30,7 @@ inline double skin_of(const ParticleRecord& particle, const SkinRule& rule) {
   return std::min(rule.share * particle.radius + rule.horizon * norm(particle.velocity), rule.longest);
 }
 inline double reach_of(const ParticleRecord& particle, const SkinRule& rule) {
-  return particle.radius + rule.adhesion_range + skin_of(particle, rule);
+  return particle.radius * (1.0 + rule.heat_share) + rule.adhesion_range + skin_of(particle, rule);
 }
 
 }  // namespace repose

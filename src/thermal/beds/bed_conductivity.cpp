@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "base/math.h"
-#include "thermal/beds/air.h"
-#include "thermal/constants.h"
+#include "heat/constants.h"
 
 namespace repose::thermal {
 namespace {
@@ -46,26 +45,6 @@ double relative_bed_conductivity(const BedRatios& bed) {
 double relative_radiation(double temperature, double diameter, double emissivity, double gas_conductivity) {
   const double cube = temperature * temperature * temperature;
   return 4.0 * stefan_boltzmann / (2.0 / emissivity - 1.0) * cube * diameter / gas_conductivity;  // (B.5)
-}
-
-double accommodation_coefficient(double temperature, double constant) {
-  return 1.0 / (1.0 + std::pow(10.0, 0.6 - (1000.0 / temperature + 1.0) / constant));  // (B.8)
-}
-
-Gas air_at(double temperature, double pressure) {
-  return {.temperature = temperature,
-          .pressure = pressure,
-          .conductivity = air_conductivity(temperature),
-          .specific_heat = air_specific_heat(temperature),
-          .molar_mass = air_molar_mass,
-          .accommodation = accommodation_coefficient(temperature, 2.8)};
-}
-
-double modified_free_path(const Gas& gas) {
-  const double specific_gas_constant = gas_constant / gas.molar_mass;
-  return 2.0 * (2.0 - gas.accommodation) / gas.accommodation *
-         std::sqrt(2.0 * pi * specific_gas_constant * gas.temperature) * gas.conductivity /
-         (gas.pressure * (2.0 * gas.specific_heat - specific_gas_constant));  // (B.7)
 }
 
 double relative_gas_conductivity(double free_path, double diameter) {

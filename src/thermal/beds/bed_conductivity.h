@@ -1,5 +1,7 @@
 #pragma once
 
+#include "heat/gas.h"
+
 /// The effective conductivity of a bed of grains in a gas after Zehner, Bauer and Schluender: thesis Appendix B, as
 /// corrected in docs/theory-thermal.md after VDI Heat Atlas D6.3. All lambdas are ratios to the gas's conductivity.
 namespace repose::thermal {
@@ -33,25 +35,6 @@ double relative_bed_conductivity(const BedRatios& bed);
 /// lambda_rad (B.5) of grains of `diameter` in m and `emissivity` at `temperature` in K in a gas of
 /// `gas_conductivity` in W/(m K).
 double relative_radiation(double temperature, double diameter, double emissivity, double gas_conductivity);
-
-/// Accommodation coefficient of a gas at `temperature` in K (B.8); `constant` is 2.8 for air.
-double accommodation_coefficient(double temperature, double constant);
-
-/// A gas in the pores.
-struct Gas {
-  double temperature = 0.0;    ///< K
-  double pressure = 0.0;       ///< Pa
-  double conductivity = 0.0;   ///< W/(m K)
-  double specific_heat = 0.0;  ///< at constant pressure, J/(kg K)
-  double molar_mass = 0.0;     ///< kg/mol
-  double accommodation = 0.0;  ///< coefficient (B.8)
-};
-
-/// Air at `temperature` in K and `pressure` in Pa.
-Gas air_at(double temperature, double pressure);
-
-/// The modified mean free path l of its molecules in m (B.7).
-double modified_free_path(const Gas& gas);
 
 /// lambda_G (B.6): Smoluchowski's effect in pores as wide as the grains' diameter in m.
 double relative_gas_conductivity(double free_path, double diameter);

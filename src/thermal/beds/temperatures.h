@@ -5,7 +5,7 @@
 
 #include "deck/read_described.h"
 #include "deck/key.h"
-#include "thermal/beds/air.h"
+#include "heat/air.h"
 
 namespace repose::thermal {
 

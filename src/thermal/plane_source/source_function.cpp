@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/math.h"
-#include "thermal/gauss.h"
+#include "heat/gauss.h"
 
 namespace repose::thermal {
 namespace {

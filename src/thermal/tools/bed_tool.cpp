@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "thermal/beds/air.h"
+#include "heat/air.h"
 #include "thermal/beds/bed_conductivity.h"
 #include "thermal/beds/temperatures.h"
 #include "thermal/tool_deck.h"

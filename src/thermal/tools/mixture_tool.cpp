@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "thermal/beds/air.h"
+#include "heat/air.h"
 #include "thermal/beds/mixture.h"
 #include "thermal/tool_deck.h"
 

@@ -10,7 +10,7 @@
 #include "output/snapshot_reader.h"
 #include "scene/insertion/particle_csv.h"
 #include "thermal/beds/bed_conductivity.h"
-#include "thermal/beds/gap_conductance.h"
+#include "heat/gap_conductance.h"
 #include "thermal/beds/network.h"
 #include "thermal/beds/temperatures.h"
 #include "thermal/tool_deck.h"

@@ -2,7 +2,7 @@
 
 /// Dry air as an ideal gas. The correlations hold from 250 K to 2000 K; below a few bar the pressure changes neither
 /// conductivity nor heat capacity by more than 0.3 %.
-namespace repose::thermal {
+namespace repose {
 
 inline constexpr double air_molar_mass = 28.9586e-3;  ///< kg/mol, Lemmon and Jacobsen
 inline constexpr double air_min_temperature = 250.0;  ///< K
@@ -22,4 +22,4 @@ double air_specific_heat(double temperature);
 /// Density in kg/m3 at `temperature` in K and `pressure` in Pa: the ideal gas.
 double air_density(double temperature, double pressure);
 
-}  // namespace repose::thermal
+}  // namespace repose

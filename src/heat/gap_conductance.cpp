@@ -1,13 +1,13 @@
-#include "thermal/beds/gap_conductance.h"
+#include "heat/gap_conductance.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/math.h"
-#include "thermal/constants.h"
-#include "thermal/gauss.h"
+#include "heat/constants.h"
+#include "heat/gauss.h"
 
-namespace repose::thermal {
+namespace repose {
 namespace {
 
 /// One grain of the pair in the double cone: from the apex at its centre to the middle of the gap.
@@ -66,4 +66,4 @@ double radiative_coefficient(double temperature, double emissivity_1, double emi
   return 4.0 * stefan_boltzmann * cube / (1.0 / emissivity_1 + 1.0 / emissivity_2 - 1.0);  // (T.18)
 }
 
-}  // namespace repose::thermal
+}  // namespace repose

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Heat conducted between two grains that touch or nearly do, through their contact and through the gas around it.
-namespace repose::thermal {
+namespace repose {
 
 /// Two grains of a pair.
 struct GrainPair {
@@ -38,4 +38,4 @@ double gap_conductance(const GrainPair& pair, const GapFill& fill, double porosi
 /// h_r in W/(m2 K) of two surfaces at `temperature` in K (T.18).
 double radiative_coefficient(double temperature, double emissivity_1, double emissivity_2);
 
-}  // namespace repose::thermal
+}  // namespace repose

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace repose::thermal {
+namespace repose {
 
 struct GaussNode {
   double place;
@@ -24,4 +24,4 @@ double gauss_integral(double begin, double end, F&& f) {
   return sum * (end - begin);
 }
 
-}  // namespace repose::thermal
+}  // namespace repose

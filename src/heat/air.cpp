@@ -1,10 +1,10 @@
-#include "thermal/beds/air.h"
+#include "heat/air.h"
 
 #include <cmath>
 
-#include "thermal/constants.h"
+#include "heat/constants.h"
 
-namespace repose::thermal {
+namespace repose {
 
 double air_viscosity(double temperature) {
   constexpr double energy = 103.3;  // K, Lennard-Jones
@@ -40,4 +40,4 @@ double air_density(double temperature, double pressure) {
   return pressure * air_molar_mass / (gas_constant * temperature);
 }
 
-}  // namespace repose::thermal
+}  // namespace repose

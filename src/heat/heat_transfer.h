@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contact/wall_contacts.h"
+#include "domain/ghost_exchange.h"
+#include "heat/heat_ledger.h"
+#include "heat/heat_state.h"
+#include "neighbours/pair_lists.h"
+
+namespace repose {
+
+/// What a thermal step of a rank works on.
+struct HeatScene {
+  const Communicator& comm;
+  const GhostExchange& ghosts;
+  const PairLists& pairs;
+  const WallContacts& wall_contacts;
+  std::span<const Wall> walls;
+  double time;  ///< s, of the run
+  double step;  ///< s, the thermal one
+};
+
+/// A thermal step went wrong at an owned particle.
+struct HeatFault {
+  std::size_t particle;
+  std::string what;
+};
+
+/// The heat of the particles of a rank over time: each thermal step is explicit. What flows between two particles is
+/// computed alike on every rank that owns one of them, from the temperatures at the beginning of the step, rounded to
+/// the unit once and added to the one and taken from the other.
+class HeatTransfer {
+ public:
+  /// Of a deck with [heat].
+  HeatTransfer(const Deck& deck, const MaterialTable& materials, const Insertion& insertion);
+
+  const HeatState& state() const { return state_; }
+  std::int64_t every() const { return every_; }  ///< mechanical steps in a thermal one
+
+  /// Gives the last of the owned particles the heat with which it enters.
+  void enter(Particles& particles);
+  /// Takes the heat of parked particles out.
+  void take_leavers(Particles& particles);
+  /// Collective. The next thermal step; what went wrong first on this rank.
+  std::optional<HeatFault> advance(const HeatScene& scene, Particles& particles);
+
+  const HeatLedger& ledger_here() const { return ledger_; }  ///< of this rank
+  void set_ledger(const HeatLedger& ledger) { ledger_ = ledger; }
+  /// K, of the walls with [wall.heat] at the last thermal step; NaN where none has been determined.
+  std::span<const double> wall_temperatures() const { return wall_temperature_; }
+
+ private:
+  struct WallFlow {
+    std::int32_t particle;
+    std::int32_t wall;
+    double conductance;  ///< W/K
+  };
+  WarmBody body(const Particles& particles, std::size_t i) const;
+  void set_temperatures(const HeatScene& scene, const Particles& particles);
+  void exchange_pairs(const HeatScene& scene, const Particles& particles);
+  std::vector<WallFlow> wall_flows(const HeatScene& scene, const Particles& particles);
+  void set_wall_temperatures(const HeatScene& scene, std::span<const WallFlow> flows);
+  void exchange_walls(const HeatScene& scene, std::span<const WallFlow> flows);
+  void add_sources(const HeatScene& scene, const Particles& particles);
+  void settle(const HeatScene& scene, Particles& particles);
+  std::int64_t flow(double joules, std::size_t particle);
+  void note_conductance(std::size_t particle, double conductance, double step);
+  void note_fault(std::size_t particle, const std::string& what);
+
+  HeatState state_;
+  std::int64_t every_;
+  std::vector<WallHeatDeck> walls_;
+  HeatLedger ledger_;
+  std::vector<double> wall_temperature_;
+  // While a thermal step is made:
+  std::vector<double> temperature_;          ///< of all particles, K
+  std::vector<std::int64_t> gain_;           ///< of the owned ones, units
+  std::vector<double> capacity_;             ///< of the owned ones, J/K
+  std::vector<std::int64_t> levelled_;       ///< the same: share by which the step levels it with its surroundings, 2^-48
+  std::optional<HeatFault> fault_;
+};
+
+}  // namespace repose

@@ -1,0 +1,278 @@
+// Heat between grains and from walls against LIGGGHTS's fix heat/gran and closed forms.
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <limits>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "heat/gap_conductance.h"
+#include "heat/gas.h"
+#include "scene/particles/sphere_mass.h"
+#include "support/scenes.h"
+
+namespace repose::test {
+namespace {
+
+constexpr double radius = 220e-6;
+constexpr double density = 3592.0;
+
+/// Grains that stay where they are.
+Deck still_deck(double conductivity, double specific_heat, double timestep) {
+  Deck deck = bare_deck({.youngs_modulus = 5e6, .density = density}, timestep);
+  deck.heat.enabled = true;
+  deck.heat.every = 1;
+  for (MaterialDeck& m : deck.materials) {
+    m.conductivity = conductivity;
+    m.specific_heat = specific_heat;
+    m.emissivity = 0.8;
+  }
+  PhaseDeck rest;
+  rest.name = "rest";
+  rest.until = PhaseUntil::steps;
+  rest.steps = 1;
+  rest.mechanics = false;
+  deck.phases = {rest};
+  return deck;
+}
+
+/// Grains that are a block each, with a temperature of its own.
+class WarmScene {
+ public:
+  using Change = std::function<void(std::vector<ParticlesDeck>&)>;
+
+  WarmScene(Deck deck, const std::vector<Vec3>& centres, const std::vector<double>& temperatures,
+            const Change& change = {})
+      : comm_(MPI_COMM_WORLD), simulation_(comm_, with_blocks(std::move(deck), temperatures, change), reader(centres),
+                                           best_vector_level()) {}
+
+  Simulation& simulation() { return simulation_; }
+  /// Steps of one thermal step each, in a phase that stands still.
+  void rest(std::int64_t thermal_steps) {
+    simulation_.begin_phase("rest");
+    simulation_.advance(thermal_steps * simulation_.deck().heat.every);
+  }
+  double temperature(std::int64_t id) const {
+    const Particles& particles = simulation_.particles();
+    for (std::size_t i = 0; i < particles.owned; ++i) {
+      if (particles.id[i] == id) return simulation_.heat()->state().temperature(particles, i);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  static Deck with_blocks(Deck deck, const std::vector<double>& temperatures, const Change& change) {
+    for (std::size_t k = 0; k < temperatures.size(); ++k) {
+      ParticlesDeck block;
+      block.type = ParticlesType::csv;
+      block.file = std::to_string(k);
+      block.temperature = temperatures[k];
+      deck.particles.push_back(block);
+    }
+    if (change) change(deck.particles);
+    return deck;
+  }
+  static ReadFile reader(const std::vector<Vec3>& centres) {
+    return [centres](const std::string& file) {
+      const Vec3& x = centres.at(std::stoul(file));
+      return fmt::format("x,y,z,radius,material\n{:.17g},{:.17g},{:.17g},{:.17g},grain\n", x.x, x.y, x.z, radius);
+    };
+  }
+
+  Communicator comm_;
+  Simulation simulation_;
+};
+
+/// Centres of a row along x whose surfaces are `gap` m apart; below 0 they overlap.
+std::vector<Vec3> row(std::size_t count, double gap) {
+  std::vector<Vec3> centres;
+  for (std::size_t i = 0; i < count; ++i) centres.push_back({static_cast<double>(i) * (2.0 * radius + gap), 0.0, radius});
+  return centres;
+}
+
+TEST(Heat, FollowsThreeSpheresOfLiggghts) {
+  const std::string base = std::string(REPOSE_SOURCE_DIR) + "/tests/reference/liggghts_models/heat_three_spheres";
+  std::ifstream parameters(base + ".json");
+  const nlohmann::json j = nlohmann::json::parse(parameters);
+  Coefficients c;
+  c.youngs_modulus = j["youngs_modulus"];
+  c.restitution_pp = j["restitution_pp"];
+  c.restitution_pw = j["restitution_pw"];
+  c.sliding_pp = j["sliding_pp"];
+  c.sliding_pw = j["sliding_pw"];
+  c.rolling_pp = j["rolling_pp"];
+  c.rolling_pw = j["rolling_pw"];
+  Deck deck = bare_deck(c, j["dt"]);
+  deck.gravity = {0.0, 0.0, -9.81};
+  deck.walls.push_back(floor_at(0.0));
+  deck.heat.enabled = true;
+  deck.heat.every = 1;
+  deck.heat.conductance = ContactConductance::intersection;
+  for (MaterialDeck& m : deck.materials) {
+    m.conductivity = j["heat"]["k"];
+    m.specific_heat = j["heat"]["c"];
+  }
+  std::vector<Vec3> centres;
+  std::vector<double> temperatures;
+  for (const auto& p : j["particles"]) {
+    ASSERT_EQ(p["r"].get<double>(), radius);
+    centres.push_back({p["x"][0], p["x"][1], p["x"][2]});
+    temperatures.push_back(j["heat"]["T"][temperatures.size()]);
+  }
+  WarmScene scene(deck, centres, temperatures);
+
+  std::ifstream file(base + ".csv");
+  std::string line;
+  std::getline(file, line);
+  double worst = 0.0;
+  int rows = 0;
+  while (std::getline(file, line)) {
+    const std::int64_t step = std::stoll(line);
+    const std::int64_t id = std::stoll(line.substr(line.find(',') + 1)) - 1;
+    const double theirs = std::stod(line.substr(line.rfind(',') + 1));
+    if (step > scene.simulation().steps()) scene.simulation().advance(step - scene.simulation().steps());
+    worst = std::max(worst, std::abs(scene.temperature(id) / theirs - 1.0));
+    ++rows;
+  }
+  EXPECT_GT(rows, 600);
+  EXPECT_LT(worst, 1e-9);
+  std::cout << "  greatest relative deviation of a temperature: " << worst << "\n";
+}
+
+TEST(Heat, TwoGrainsRelaxWithTheirTimeConstant) {
+  constexpr double k = 2.0, c = 800.0, overlap = 2e-6;
+  const double mass = sphere_mass(radius, density);
+  const double conductance = 2.0 * k * std::sqrt(0.5 * radius * overlap);
+  const double time_constant = 0.5 * mass * c / conductance;
+  Deck deck = still_deck(k, c, 1e-6);
+  deck.heat.every = 1000;
+  WarmScene scene(deck, row(2, -overlap), std::vector<double>{300.0, 400.0});
+  scene.rest(200);
+  scene.simulation().check_guards();
+  const double time = 0.2;
+  ASSERT_GT(time, time_constant / 20.0);
+  // Explicit steps of 1 ms: exactly (1 - dt/tau)^n.
+  const double left = std::pow(1.0 - 1e-3 / time_constant, 200.0);
+  EXPECT_NEAR(scene.temperature(1) - scene.temperature(0), 100.0 * left, 1e-9);
+  EXPECT_NEAR(left, std::exp(-time / time_constant), 2e-3);
+  EXPECT_NEAR(scene.temperature(1) + scene.temperature(0), 700.0, 1e-9);
+}
+
+TEST(Heat, ATableOfSpecificHeatsKeepsTheEnergy) {
+  Deck deck = still_deck(2.0, 800.0, 1e-6);
+  for (MaterialDeck& m : deck.materials) {
+    m.heat_table.enabled = true;
+    m.heat_table.temperatures = {300.0, 500.0, 900.0};
+    m.heat_table.conductivities = {2.0, 3.0, 1.0};
+    m.heat_table.specific_heats = {700.0, 1100.0, 900.0};
+  }
+  deck.heat.every = 1000;
+  WarmScene scene(deck, row(2, -2e-6), std::vector<double>{250.0, 1000.0});
+  scene.rest(60000);
+  scene.simulation().check_guards();
+  // Specific energies by trapezia from 0 K: half of their sum belongs to the temperature that both come to.
+  const double at_300 = 700.0 * 300.0;
+  const double at_500 = at_300 + 900.0 * 200.0;
+  const double at_900 = at_500 + 1000.0 * 400.0;
+  const double mean = 0.5 * (700.0 * 250.0 + at_900 + 900.0 * 100.0);
+  ASSERT_GT(mean, at_500);
+  const double rest = mean - at_500;  // 1100 x - 0.25 x^2 = rest
+  const double x = (1100.0 - std::sqrt(1100.0 * 1100.0 - rest)) / 0.5;
+  EXPECT_NEAR(scene.temperature(0), 500.0 + x, 1e-6);
+  EXPECT_NEAR(scene.temperature(1), 500.0 + x, 1e-6);
+}
+
+TEST(Heat, AHotFloorHeatsAGrainExponentially) {
+  constexpr double k = 2.0, c = 800.0, overlap = 2e-6;
+  Deck deck = still_deck(k, c, 1e-6);
+  deck.heat.every = 1000;
+  deck.walls.push_back(floor_at(overlap));
+  deck.walls[0].heat.enabled = true;
+  deck.walls[0].heat.temperature = 500.0;
+  WarmScene scene(deck, row(1, 0.0), std::vector<double>{300.0});
+  scene.rest(300);
+  const double conductance = 2.0 * k * std::sqrt(radius * overlap);
+  const double rate = conductance / (sphere_mass(radius, density) * c);
+  EXPECT_NEAR(500.0 - scene.temperature(0), 200.0 * std::pow(1.0 - 1e-3 * rate, 300.0), 1e-9);
+}
+
+TEST(Heat, AWallGivesItsPowerAndOneWithACoefficientItsHeatFromOutside) {
+  constexpr double k = 2.0, c = 800.0, overlap = 2e-6;
+  const double mass = sphere_mass(radius, density);
+  for (const bool by_power : {true, false}) {
+    Deck deck = still_deck(k, c, 1e-6);
+    deck.heat.every = 1000;
+    deck.walls.push_back(floor_at(overlap));
+    WallHeatDeck& heat = deck.walls[0].heat;
+    heat.enabled = true;
+    heat.type = by_power ? WallHeatType::power : WallHeatType::ambient;
+    heat.power = 3e-3;
+    heat.temperature = 500.0;
+    heat.coefficient = 1e-5;
+    WarmScene scene(deck, row(1, 0.0), std::vector<double>{300.0});
+    scene.rest(100);
+    if (by_power) {
+      EXPECT_NEAR(scene.temperature(0), 300.0 + 3e-3 * 0.1 / (mass * c), 1e-9);
+      continue;
+    }
+    const double contact = 2.0 * k * std::sqrt(radius * overlap);
+    const double both = 1.0 / (1.0 / contact + 1.0 / heat.coefficient);
+    EXPECT_NEAR(500.0 - scene.temperature(0), 200.0 * std::pow(1.0 - 1e-3 * both / (mass * c), 100.0), 1e-9);
+  }
+}
+
+TEST(Heat, SourcesAndIsothermalBlocks) {
+  Deck deck = still_deck(2.0, 800.0, 1e-6);
+  deck.heat.every = 1000;
+  WarmScene scene(deck, row(2, -2e-6), std::vector<double>{300.0, 300.0}, [](std::vector<ParticlesDeck>& blocks) {
+    blocks[0].isothermal = true;
+    blocks[1].heating = 500.0;
+  });
+  scene.rest(60000);
+  scene.simulation().check_guards();
+  const double mass = sphere_mass(radius, density);
+  const double conductance = 4.0 * std::sqrt(0.5 * radius * 2e-6);
+  EXPECT_NEAR(scene.temperature(0), 300.0, 1e-12);
+  EXPECT_NEAR(scene.temperature(1), 300.0 + 500.0 * mass / conductance, 1e-6);
+  const HeatLedger& ledger = scene.simulation().heat()->ledger_here();
+  EXPECT_LT((ledger.sources + ledger.kept).units(), ledger.sources.units());
+}
+
+TEST(Heat, TwoGrainsApartExchangeByGasAndRadiationAsTheNetworkHasIt) {
+  constexpr double k = 2.0, c = 800.0, gap = 20e-6;
+  for (const bool radiates : {false, true}) {
+    Deck deck = still_deck(k, c, 1e-6);
+    deck.heat.every = 1000;
+    deck.heat.gas = GapGas::air;
+    deck.heat.radiation = radiates;
+    WarmScene scene(deck, row(2, gap), std::vector<double>{299.0, 301.0});
+    scene.rest(1);
+    const double mass = sphere_mass(radius, density);
+    const double flow = (301.0 - scene.temperature(1)) * mass * c / 1e-3;  // W
+    const GrainPair pair{.radius_1 = radius, .radius_2 = radius, .conductivity_1 = k, .conductivity_2 = k, .gap = gap};
+    const Gas gas = air_at(300.0, 101325.0);
+    const double h = radiates ? 4.0 * 5.670374419e-8 * 300.0 * 300.0 * 300.0 / (2.0 / 0.8 - 1.0) : 0.0;
+    const double expected =
+        gap_conductance(pair, {.conductivity = gas.conductivity, .free_path = modified_free_path(gas), .radiation = h}, 0.4);
+    EXPECT_NEAR(flow / (2.0 * expected), 1.0, 1e-7);
+  }
+}
+
+TEST(Heat, AThermalStepThatIsTooLongIsNamed) {
+  Deck deck = still_deck(2000.0, 800.0, 1e-6);
+  deck.heat.every = 10000;
+  WarmScene scene(deck, row(2, -2e-6), std::vector<double>{300.0, 400.0});
+  scene.rest(1);
+  try {
+    scene.simulation().check_guards();
+    FAIL() << "no guard was hit";
+  } catch (const PhysicsError& error) {
+    EXPECT_NE(std::string(error.what()).find("make heat.every or time.step smaller"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace repose::test

@@ -68,8 +68,8 @@ std::complex<double> LayeredSource::admittance(double wavenumber, std::complex<d
     const double along = layer->radial_conductivity > 0.0 ? layer->radial_conductivity : layer->conductivity;
     const std::complex<double> decay = std::sqrt((along * k2 + s * layer->volumetric_heat) / layer->conductivity);
     const std::complex<double> wave = layer->conductivity * decay;
-    const std::complex<double> echo = (wave - y) / (wave + y) * std::exp(-2.0 * decay * layer->thickness);
-    y = wave * (1.0 - echo) / (1.0 + echo);  // (T.24)
+    const std::complex<double> depth = std::tanh(decay * layer->thickness);
+    y = wave * (y + wave * depth) / (wave + y * depth);  // (T.24)
   }
   return y;
 }

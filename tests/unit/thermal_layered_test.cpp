@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/math.h"
+#include "thermal/gauss.h"
 #include "thermal/plane_source/laplace_inversion.h"
 #include "thermal/plane_source/layered_source.h"
 #include "thermal_samples.h"
@@ -86,23 +87,51 @@ TEST(LayeredSource, OfTheSampleAloneIsTheIdealRings) {
     EXPECT_NEAR(rises[i] - sample_rise(s, source, times[i]), constant, 2e-4 * all) << times[i];
 }
 
+/// One ring with a strip of some width (T.22) in a homogeneous medium, summed over time: the temperature of a ring
+/// after an instant is that of a line that has already spread for the time that makes it so wide.
+TEST(LayeredSource, OfOneRingIsItsIntegralOverTime) {
+  const SyntheticTransient s = grains().measurement;
+  LayeredSetup setup = setup_with(s, {});
+  setup.rings = 1;
+  setup.strip_width = 0.05;
+  const double diffusivity = s.conductivity / s.volumetric_heat;
+  const std::vector<double> times = times_of({0.03, 0.1, 0.5, 2.0}, setup);
+  const std::vector<double> rises = LayeredSource(setup).rises(times, s.power);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    constexpr int steps = 2000;
+    const double width = std::sqrt(diffusivity * times[i]) / s.radius / steps;  // in sqrt(alpha t)/r
+    double sum = 0.0;
+    for (int j = 0; j < steps; ++j) {
+      sum += gauss_integral(j * width, (j + 1) * width, [&](double tau) {
+        const double spread = 2.0 * (tau * tau + setup.strip_width * setup.strip_width);
+        return scaled_bessel(0, 1.0 / spread) / spread;
+      });
+    }
+    EXPECT_NEAR(rises[i] / (s.power / (2.0 * pi * std::sqrt(pi) * s.conductivity * s.radius) * sum), 1.0, 1e-6);
+  }
+}
+
 /// The integral of erfc from x on.
 double ierfc(double x) { return std::exp(-x * x) / std::sqrt(pi) - x * std::erfc(x); }
 
-/// Half of the power into a layer on a half space, far from the edge (the radius is 1e7 depths): Carslaw and Jaeger,
-/// section 12.8, as images of the face.
+/// Half of the power into a layer on a half space, far from the edge (the radius is 1e7 depths): the sum over images of
+/// the face (Carslaw and Jaeger, chapter XII). A second layer is of the sample's own.
 TEST(LayeredSource, OfGreatRadiusMeetsTheImagesOfOneDimension) {
   for (const Sample& sample : {steel(), grains()}) {
     SyntheticTransient s = sample.measurement;
     s.radius = 1e5;
     s.power = 2.0 * pi * s.radius * s.radius;  // 1 W/m2
     const Layer& layer = mica_layer;
+    const Layer sample_layer = {.thickness = 0.2e-3,
+                                .conductivity = s.conductivity,
+                                .radial_conductivity = s.conductivity,
+                                .volumetric_heat = s.volumetric_heat};
     const double diffusivity = layer.conductivity / layer.volumetric_heat;
     const double own = std::sqrt(layer.conductivity * layer.volumetric_heat);
     const double other = std::sqrt(s.conductivity * s.volumetric_heat);
     const double reflection = (own - other) / (own + other);
     const std::vector<double> times = {0.01, 0.03, 0.1, 0.3, 1.0, 5.0};
-    const std::vector<double> rises = LayeredSource(setup_with(s, {layer})).rises(times, s.power);
+    const std::vector<double> rises = LayeredSource(setup_with(s, {layer, sample_layer})).rises(times, s.power);
     for (std::size_t i = 0; i < times.size(); ++i) {
       const double depth = std::sqrt(diffusivity * times[i]);
       double images = ierfc(0.0);
@@ -112,7 +141,7 @@ TEST(LayeredSource, OfGreatRadiusMeetsTheImagesOfOneDimension) {
   }
 }
 
-/// A heater that stores heat on a half space, far from the edge: y' of Carslaw and Jaeger, section 12.4.
+/// A heater that stores heat on a half space, far from the edge.
 TEST(LayeredSource, HeaterStoresHeat) {
   SyntheticTransient s = grains().measurement;
   s.radius = 1e5;
@@ -148,7 +177,7 @@ TEST(LayeredSource, KeepsTheEnergy) {
   EXPECT_NEAR((rises[2] - rises[0]) * capacity / (s.power * 60.0), 1.0, 1e-6);
 }
 
-/// The steady rise of a disc, and what a thin layer adds to it: its resistance, less what it carries outwards (T.27).
+/// The steady rise of a disc, and what a thin layer adds to it: its resistance, less what it carries outwards (T.26).
 /// The next order of the layer is its thickness over the radius times a logarithm; of the time, tau^-3.
 TEST(LayeredSource, TendsToTheSteadyRise) {
   const SyntheticTransient s = grains().measurement;

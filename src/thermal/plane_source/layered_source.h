@@ -32,7 +32,7 @@ struct LayeredSetup {
   Heater heater;
 };
 
-/// A plane source within layers (theory T.22 to T.26): axially symmetric conduction, by a Hankel transform over the
+/// A plane source within layers (theory T.22 to T.25): axially symmetric conduction, by a Hankel transform over the
 /// radius and a Laplace transform over time. Each wavenumber then is a one-dimensional problem, which a transmission
 /// line solves in closed form.
 class LayeredSource {

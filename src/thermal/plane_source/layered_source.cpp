@@ -1,7 +1,6 @@
 #include "thermal/plane_source/layered_source.h"
 
 #include <cmath>
-#include <iterator>
 
 #include "base/math.h"
 #include "thermal/gauss.h"
@@ -10,7 +9,7 @@
 namespace repose::thermal {
 namespace {
 
-/// Hankel's transform of the heat of a source of unit power and radius, times 2 pi (T.22).
+/// Hankel's transform of the heat of a source of unit power, x over the radius (T.22).
 double spectrum(const LayeredSetup& setup, double x) {
   if (setup.rings == 0) return 2.0 * ::j1(x) / x;
   const auto m = static_cast<double>(setup.rings);
@@ -30,7 +29,7 @@ constexpr double averaged_from = (163.0 + 0.25) * pi;
 /// the period pi, and the kernel changes over its own wavenumbers, which may be small.
 std::vector<double> interval_ends(const LayeredSetup& setup) {
   std::vector<double> ends = {0.0};
-  for (double x = 1e-6; x < 1.0; x *= 1.5) ends.push_back(x);
+  for (int i = -34; i < 0; ++i) ends.push_back(std::pow(1.5, i));                  // from 1e-6
   const double last = setup.rings == 0 ? averaged_from : 6.0 / setup.strip_width;  // exp(-36) is nothing
   const auto count = static_cast<int>(std::ceil(last - 1.0));
   for (int i = 0; i <= count; ++i) ends.push_back(1.0 + (last - 1.0) * i / count);
@@ -57,18 +56,21 @@ LayeredSource::LayeredSource(const LayeredSetup& setup) : setup_(setup) {
     });
   }
   if (setup.rings > 0) return;
-  for (double x = averaged_from; x < 1e12; x *= 1.5)  // J_1^2 is 1/(pi x) on average
-    add(x, 1.5 * x, [](double y) { return 4.0 / (pi * y * y * y); });
+  for (int i = 0; i < 53; ++i) {  // to 1e12
+    const double begin = averaged_from * std::pow(1.5, i);
+    add(begin, 1.5 * begin, [](double x) { return 4.0 / (pi * x * x * x); });  // J_1^2 is 1/(pi x) on average
+  }
 }
 
 std::complex<double> LayeredSource::admittance(double wavenumber, std::complex<double> s) const {
   const double k2 = wavenumber * wavenumber;
   std::complex<double> y = setup_.conductivity * std::sqrt(k2 + s * setup_.volumetric_heat / setup_.conductivity);
-  for (auto layer = setup_.layers.rbegin(); layer != setup_.layers.rend(); ++layer) {
-    const double along = layer->radial_conductivity > 0.0 ? layer->radial_conductivity : layer->conductivity;
-    const std::complex<double> decay = std::sqrt((along * k2 + s * layer->volumetric_heat) / layer->conductivity);
-    const std::complex<double> wave = layer->conductivity * decay;
-    const std::complex<double> depth = std::tanh(decay * layer->thickness);
+  for (std::size_t i = setup_.layers.size(); i-- > 0;) {
+    const Layer& layer = setup_.layers[i];
+    const double along = layer.radial_conductivity > 0.0 ? layer.radial_conductivity : layer.conductivity;
+    const std::complex<double> decay = std::sqrt((along * k2 + s * layer.volumetric_heat) / layer.conductivity);
+    const std::complex<double> wave = layer.conductivity * decay;
+    const std::complex<double> depth = std::tanh(decay * layer.thickness);
     y = wave * (y + wave * depth) / (wave + y * depth);  // (T.24)
   }
   return y;

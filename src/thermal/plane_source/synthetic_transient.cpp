@@ -53,6 +53,7 @@ std::vector<double> spiral_rises(const SyntheticTransient& s, const SourceFuncti
     return layered.rises(times, s.power);
   }
   std::vector<double> rises;
+  rises.reserve(times.size());
   for (const double time : times) rises.push_back(sample_rise(s, source, time) + contact_rise(s, time));
   return rises;
 }

@@ -53,7 +53,7 @@ class Instrument:
         values = {"sensor.radius": 1e-3 * radius_mm, "evaluation.power": power * scale, "synthetic.conductivity": k,
                   "synthetic.volumetric_heat": heat, "synthetic.duration": duration * scale**2, "synthetic.noise": 0,
                   **{f"synthetic.layer.0.{key}": value for key, value in zip(LAYER, layer)}, **changes}
-        sets = ["--set", *(f"{key}={value}" for key, value in values.items())]
+        sets = [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
         self.call("synthesise", DECK, *sets)
         self.call("tps", self.work / "transient.csv", "--deck", DECK, *sets)
         result = json.loads((self.work / "tps.json").read_text())["transients"][0]

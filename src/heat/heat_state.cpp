@@ -22,11 +22,13 @@ double greatest_heat(const Conductance& conductance, const MaterialTable& materi
 }  // namespace
 
 HeatState::HeatState(const Deck& deck, const MaterialTable& materials, const Insertion& insertion)
-    : materials_(materials), conductance_(deck), unit_(greatest_heat(conductance_, materials, insertion)) {
+    : materials_(materials),
+      conductance_(deck),
+      temperature_of_rest_(deck.heat.temperature),
+      unit_(greatest_heat(conductance_, materials, insertion)) {
   for (std::size_t k = 0; k < deck.particles.size(); ++k) {
     const ParticlesDeck& block = deck.particles[k];
-    const double temperature = is_given(block.temperature) ? block.temperature : deck.heat.temperature;
-    blocks_.push_back({insertion.block_begin[k + 1], temperature, block.isothermal, block.heating});
+    blocks_.push_back({insertion.block_begin[k + 1], block.temperature, block.isothermal, block.heating});
     has_special_blocks_ = has_special_blocks_ || block.isothermal || block.heating != 0.0;
   }
 }
@@ -40,8 +42,10 @@ double HeatState::mass(double radius, std::int32_t material) const {
   return sphere_mass(radius, materials_[static_cast<std::size_t>(material)].density);
 }
 
-std::int64_t HeatState::entering(std::int64_t id, double radius, std::int32_t material) const {
-  const double energy = conductance_.table(solid(material)).energy(block_of(id).temperature);
+std::int64_t HeatState::entering(std::int64_t id, double radius, std::int32_t material, double in_file) const {
+  const double of_block = block_of(id).temperature;
+  const double temperature = is_given(of_block) ? of_block : is_given(in_file) ? in_file : temperature_of_rest_;
+  const double energy = conductance_.table(solid(material)).energy(temperature);
   return std::llrint(mass(radius, material) * energy * unit_.per_joule());
 }
 

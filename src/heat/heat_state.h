@@ -24,8 +24,9 @@ class HeatState {
   const HeatUnit& unit() const { return unit_; }
   const Conductance& conductance() const { return conductance_; }
 
-  /// Heat in units with which the particle `id` enters.
-  std::int64_t entering(std::int64_t id, double radius, std::int32_t material) const;
+  /// Heat in units with which the particle `id` enters: at the temperature of its block, else of the file it comes from
+  /// (`in_file`, NaN without one), else of the deck.
+  std::int64_t entering(std::int64_t id, double radius, std::int32_t material, double in_file) const;
   /// K of an owned particle.
   double temperature(const Particles& particles, std::size_t i) const;
   /// J/K of an owned particle at `temperature` K.
@@ -39,7 +40,7 @@ class HeatState {
  private:
   struct Block {
     std::int64_t end;     ///< behind the last number
-    double temperature;   ///< K
+    double temperature;   ///< K; NaN when the block gives none
     bool isothermal;
     double heating;       ///< W/kg
   };
@@ -48,6 +49,7 @@ class HeatState {
 
   const MaterialTable& materials_;
   Conductance conductance_;
+  double temperature_of_rest_;  ///< K
   std::vector<Block> blocks_;
   bool has_special_blocks_ = false;
   HeatUnit unit_;

@@ -29,13 +29,17 @@ constexpr double undetermined = std::numeric_limits<double>::quiet_NaN();
 
 HeatTransfer::HeatTransfer(const Deck& deck, const MaterialTable& materials, const Insertion& insertion)
     : state_(deck, materials, insertion), every_(deck.heat.every), ledger_(HeatLedger::none(deck.walls.size())) {
-  for (const WallDeck& wall : deck.walls) walls_.push_back(wall.heat);
-  wall_temperature_.assign(walls_.size(), undetermined);
+  for (const WallDeck& wall : deck.walls) {
+    walls_.push_back(wall.heat);
+    const bool is_given = wall.heat.enabled && wall.heat.type == WallHeatType::temperature;
+    wall_temperature_.push_back(is_given ? wall.heat.temperature * factor_at(wall.heat, 0.0) : undetermined);
+  }
 }
 
-void HeatTransfer::enter(Particles& particles) {
+void HeatTransfer::enter(double temperature, Particles& particles) {
   const std::size_t i = particles.heat.size();
-  particles.heat.push_back(state_.entering(particles.id[i], particles.record[i].radius, particles.material[i]));
+  particles.heat.push_back(
+      state_.entering(particles.id[i], particles.record[i].radius, particles.material[i], temperature));
   ledger_.brought.add(particles.heat[i]);
 }
 

@@ -42,8 +42,8 @@ class HeatTransfer {
   const HeatState& state() const { return state_; }
   std::int64_t every() const { return every_; }  ///< mechanical steps in a thermal one
 
-  /// Gives the last of the owned particles the heat with which it enters.
-  void enter(Particles& particles);
+  /// Gives the last particle the heat with which it enters; `temperature` in K is that of a file, or NaN.
+  void enter(double temperature, Particles& particles);
   /// Takes the heat of parked particles out.
   void take_leavers(Particles& particles);
   /// Collective. The next thermal step; what went wrong first on this rank.
@@ -53,6 +53,12 @@ class HeatTransfer {
   void set_ledger(const HeatLedger& ledger) { ledger_ = ledger; }
   /// K, of the walls with [wall.heat] at the last thermal step; NaN where none has been determined.
   std::span<const double> wall_temperatures() const { return wall_temperature_; }
+
+  /// The same on all ranks; the heat of the particles and the ledger are not in it.
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("wall_temperatures", self.wall_temperature_);
+  }
 
  private:
   struct WallFlow {

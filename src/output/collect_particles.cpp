@@ -12,6 +12,7 @@ namespace {
 struct Row {
   std::int64_t id;
   ParticleRecord record;
+  double temperature;  ///< K, 0 without heat
   std::int32_t material;
 };
 
@@ -29,12 +30,13 @@ void append_row(ParticleTable& table, std::int64_t id, const ParticleRecord& rec
 }
 
 ParticleTable collect_particles(const Communicator& comm, const MaterialTable& materials, const Particles& particles,
-                                std::int64_t inserted) {
+                                std::int64_t inserted, const HeatState* heat) {
   std::vector<std::vector<char>> send(static_cast<std::size_t>(comm.size()));
   for (std::size_t i = 0; i < particles.owned; ++i) {
     if (is_parked(particles.record[i])) continue;
     const std::int64_t rank = particles.id[i] * comm.size() / std::max<std::int64_t>(inserted, 1);
-    Row row{particles.id[i], particles.record[i], particles.material[i]};
+    Row row{particles.id[i], particles.record[i], heat != nullptr ? heat->temperature(particles, i) : 0.0,
+            particles.material[i]};
     row.record.position = particles.position(i);
     PackBuffer(send[static_cast<std::size_t>(rank)]).put(row);
   }
@@ -48,7 +50,11 @@ ParticleTable collect_particles(const Communicator& comm, const MaterialTable& m
   const auto count = static_cast<std::int64_t>(rows.size());
   table.offset = comm.exclusive_sum(count);
   table.total = comm.sum(count);
-  for (const Row& row : rows) append_row(table, row.id, row.record, row.material, materials);
+  table.has_temperature = heat != nullptr;
+  for (const Row& row : rows) {
+    append_row(table, row.id, row.record, row.material, materials);
+    if (heat != nullptr) table.temperature.push_back(row.temperature);
+  }
   return table;
 }
 

@@ -16,6 +16,8 @@ struct ParticleTable {
   std::vector<double> angular_velocity;
   std::vector<double> radius;
   std::vector<double> mass;
+  std::vector<double> temperature;     ///< K; of the same length or, when has_temperature is false, empty
+  bool has_temperature = false;        ///< the same on all ranks
   std::vector<std::int32_t> material;  ///< index into the list of materials
 };
 

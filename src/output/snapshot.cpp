@@ -20,7 +20,7 @@ RowBlock rows_of(const ParticleTable& particles) {
 
 /// What the file may need: more than the arrays hold before they are compressed.
 std::int64_t most_bytes(const ParticleTable& particles, const SnapshotHeader& header) {
-  constexpr std::int64_t bytes_per_particle = 160;  // 117 in the arrays below
+  constexpr std::int64_t bytes_per_particle = 168;  // 125 in the arrays below
   constexpr std::int64_t bytes_of_structure = 1 << 20;
   return bytes_of_structure + std::ssize(header.deck) + particles.total * bytes_per_particle;
 }
@@ -74,10 +74,11 @@ void write_particles(Hdf5File& file, const ParticleTable& particles) {
   write("radius", particles.radius, 1, "m");
   write("mass", particles.mass, 1, "kg");
   write("material", particles.material, 1, "");
+  if (particles.has_temperature) write("temperature", particles.temperature, 1, "K");
 }
 
 /// The VTKHDF 1.0 file format, https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html, one partition.
-void write_vtk_view(Hdf5File& file, const Communicator& comm, RowBlock rows) {
+void write_vtk_view(Hdf5File& file, const Communicator& comm, RowBlock rows, bool has_temperature) {
   file.create_group("/VTKHDF");
   constexpr std::array<std::int64_t, 2> version{1, 0};
   file.write_attribute("/VTKHDF", "Version", std::span<const std::int64_t>(version));
@@ -96,6 +97,7 @@ void write_vtk_view(Hdf5File& file, const Communicator& comm, RowBlock rows) {
   for (const char* name : {"id", "velocity", "angular_velocity", "radius", "mass", "material"}) {
     file.link(fmt::format("/particles/{}", name), fmt::format("/VTKHDF/PointData/{}", name));
   }
+  if (has_temperature) file.link("/particles/temperature", "/VTKHDF/PointData/temperature");
 }
 
 void check_blocks(const Communicator& comm, const ParticleTable& particles) {
@@ -122,7 +124,7 @@ void write_snapshot(const Communicator& comm, const std::string& path, const Par
   Hdf5File file(comm, path, most_bytes(particles, header));
   write_header(file, header);
   write_particles(file, particles);
-  write_vtk_view(file, comm, rows_of(particles));
+  write_vtk_view(file, comm, rows_of(particles), particles.has_temperature);
   file.close();
 }
 

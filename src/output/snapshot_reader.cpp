@@ -32,6 +32,9 @@ void check_numbers(const NewParticles& particles, const std::string& file) {
       throw FileError(fmt::format("{}: row {} of /particles has a number that is not finite", file, i));
     if (!(radius > 0.0) || !std::isfinite(radius))
       throw FileError(fmt::format("{}: row {} of /particles/radius is {}; a radius is positive", file, i, radius));
+    if (!particles.temperature.empty() && !(particles.temperature[i] > 0.0 && particles.temperature[i] <= 1e4))
+      throw FileError(fmt::format("{}: row {} of /particles/temperature is {}; it must be above 0 and at most 10000 K",
+                                  file, i, particles.temperature[i]));
   }
 }
 
@@ -62,6 +65,8 @@ NewParticles parse_snapshot(const std::string& bytes, const std::string& file,
   particles.velocity = vectors(snapshot.read_rows<double>("/particles/velocity", 3));
   particles.spin = vectors(snapshot.read_rows<double>("/particles/angular_velocity", 3));
   particles.radius = snapshot.read_rows<double>("/particles/radius", 1);
+  if (snapshot.has("/particles/temperature"))
+    particles.temperature = snapshot.read_rows<double>("/particles/temperature", 1);
   const std::size_t count = particles.size();
   const std::vector<std::string> names = snapshot.read_texts("materials");
   const std::vector<int> indices = translation(names, materials);
@@ -73,7 +78,8 @@ NewParticles parse_snapshot(const std::string& bytes, const std::string& file,
     particles.material.push_back(indices[m]);
   }
   if (particles.velocity.size() != count || particles.spin.size() != count || particles.radius.size() != count ||
-      particles.material.size() != count) {
+      particles.material.size() != count ||
+      (!particles.temperature.empty() && particles.temperature.size() != count)) {
     throw FileError(fmt::format("{}: the arrays of /particles differ in length", file));
   }
   if (count == 0) throw DeckError(fmt::format("{}: the snapshot holds no particles", file));

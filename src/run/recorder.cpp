@@ -14,6 +14,7 @@
 #include "files/atomic_file.h"
 #include "files/directory.h"
 #include "files/step_file.h"
+#include "heat/heat_figures.h"
 #include "measurement/discharged_mass.h"
 #include "measurement/energies.h"
 #include "measurement/state_hash.h"
@@ -25,7 +26,7 @@
 namespace repose {
 namespace {
 
-/// The last column is followed by one for each named exit.
+/// Followed by those of [heat], and one for each named exit.
 const std::vector<std::string> series_columns = {"step",
                                                  "time_s",
                                                  "phase",
@@ -38,8 +39,12 @@ const std::vector<std::string> series_columns = {"step",
                                                  "elastic_energy_J",
                                                  "discharged_mass_kg"};
 
+const std::vector<std::string> heat_columns = {"heat_J", "mean_temperature_K", "lowest_temperature_K",
+                                               "highest_temperature_K"};
+
 std::vector<std::string> columns_of(const Deck& deck) {
   std::vector<std::string> columns = series_columns;
+  if (deck.heat.enabled) columns.insert(columns.end(), heat_columns.begin(), heat_columns.end());
   for (const ExitDeck& exit : deck.exits) columns.push_back(fmt::format("exit_{}_kg", exit.name));
   return columns;
 }
@@ -176,6 +181,10 @@ void Recorder::write_series_row(const Simulation& simulation, const std::string&
       particles,          contacts.pairs,    contacts.walls,
       e.translational,    e.rotational,      e.gravitational,
       e.elastic,          discharged};
+  if (simulation.heat() != nullptr) {
+    const HeatFigures heat = measure_heat(comm, simulation.materials(), *simulation.heat(), simulation.particles());
+    row.insert(row.end(), {heat.stored, heat.mean, heat.lowest, heat.highest});
+  }
   for (const std::int64_t mass : sum_of(comm, simulation.left_here()).named_mass) {
     row.emplace_back(simulation.mass_unit().kilograms(mass));
   }
@@ -205,8 +214,9 @@ void Recorder::write_snapshot_now(const Simulation& simulation) {
   header.left = header.inserted - header.inside;
   for (const MaterialDeck& m : simulation.deck().materials) header.materials.push_back(m.name);
   const std::string name = file_of_step("run_", simulation.steps());
+  const HeatState* heat = simulation.heat() != nullptr ? &simulation.heat()->state() : nullptr;
   write_snapshot(comm, path(name),
-                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.planned()), header);
+                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.planned(), heat), header);
   agree_after_root(comm, [&] { snapshots_.add(name, simulation.time()); });
 }
 

@@ -12,7 +12,22 @@ WallLoadSeries::WallLoadSeries(const Simulation& simulation, const std::string& 
       columns.push_back(wall.name + "_" + quantity);
     }
   }
+  for (const WallDeck& wall : simulation.deck().walls) {
+    if (!wall.heat.enabled) continue;
+    columns.insert(columns.end(), {wall.name + "_heat_J", wall.name + "_temperature_K"});
+  }
   agree_after_root(simulation.comm(), [&] { series_ = std::make_unique<TimeSeries>(path, columns, existing); });
+}
+
+/// Collective. What each wall with [wall.heat] has given so far, and its temperature.
+void WallLoadSeries::add_heat(const Simulation& simulation, std::vector<TimeSeries::Value>& row) const {
+  const HeatTransfer* heat = simulation.heat();
+  if (heat == nullptr) return;
+  const HeatLedger ledger = sum_of(simulation.comm(), heat->ledger_here());
+  for (std::size_t w = 0; w < ledger.walls.size(); ++w) {
+    if (!simulation.deck().walls[w].heat.enabled) continue;
+    row.insert(row.end(), {heat->state().unit().joules(ledger.walls[w].units()), heat->wall_temperatures()[w]});
+  }
 }
 
 void WallLoadSeries::write(const Simulation& simulation) {
@@ -23,6 +38,7 @@ void WallLoadSeries::write(const Simulation& simulation) {
   for (const WallLoad& load : loads) {
     for (const Vec3& v : {load.force, load.torque}) row.insert(row.end(), {v.x, v.y, v.z});
   }
+  add_heat(simulation, row);
   agree_after_root(simulation.comm(), [&] { series_->append(row); });
 }
 

@@ -8,7 +8,7 @@
 
 namespace repose {
 
-/// walls.csv: force and torque on each wall over time.
+/// walls.csv: force and torque on each wall over time, and the heat that it has given.
 class WallLoadSeries {
  public:
   /// Creates the file or goes on with it, on rank 0. FileError when that fails.
@@ -24,6 +24,8 @@ class WallLoadSeries {
   }
 
  private:
+  void add_heat(const Simulation& simulation, std::vector<TimeSeries::Value>& row) const;
+
   std::unique_ptr<TimeSeries> series_;  ///< rank 0
 };
 

@@ -78,7 +78,7 @@ void Simulation::insert(const NewParticles& all) {
   const auto rank = static_cast<std::size_t>(comm_.rank());
   for (std::size_t i = all.size() * rank / ranks; i < all.size() * (rank + 1) / ranks; ++i) {
     append_particle(all, i, particles_);
-    if (heat_) heat_->enter(particles_);
+    if (heat_) heat_->enter(all.temperature.empty() ? unset : all.temperature[i], particles_);
   }
   particles_.owned = particles_.id.size();
 }
@@ -162,7 +162,7 @@ void Simulation::admit(ContactMemory& memory) {
   for (std::size_t i = 0; i < entering_.size(); ++i) {
     if (decomposition_.owner(entering_.position[i]) != comm_.rank()) continue;
     append_particle(entering_, i, particles_);
-    if (heat_) heat_->enter(particles_);
+    if (heat_) heat_->enter(unset, particles_);
     memory.pairs.append_row({});
     memory.walls.append_row({});
   }

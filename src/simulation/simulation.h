@@ -79,6 +79,7 @@ class Simulation {
     v("counters", self.counters_);
     v("warned_of_time_step", self.warned_of_time_step_);
     v("moves", self.moves_);
+    if (self.heat_) v("heat", *self.heat_);
   }
   /// Collective. Once describe_state has been read, replaces everything else by what the ranks bring of another
   /// simulation of the same deck: particles with their force sums, by any rank, what their contacts remember, what had

@@ -19,7 +19,7 @@ namespace repose::test {
 namespace {
 
 /// Everything that has state of its own: a pour, walls that come and go and that move, held grains, a tilt, exits, all
-/// the series, and a periodic direction.
+/// the series, a periodic direction, and heat.
 const char* const scene = R"(
 [domain]
 min = [-0.02, -0.01, -0.001]
@@ -34,6 +34,14 @@ name = "glass"
 youngs_modulus = 5e6
 poisson_ratio = 0.25
 density = 2500.0
+conductivity = 1.4
+specific_heat = 800.0
+emissivity = 0.9
+[heat]
+every = 7
+gas = "air"
+radiation = true
+max_gap = 0.5
 [[pair]]
 materials = ["glass", "glass"]
 restitution = 0.6
@@ -46,6 +54,11 @@ material = "glass"
 corner = [-0.008, -0.01, 0.0]
 edge_u = [0.016, 0.0, 0.0]
 edge_v = [0.0, 0.02, 0.0]
+[wall.heat]
+type = "temperature"
+temperature = 600.0
+times = [0.0, 0.05]
+factors = [1.0, 1.2]
 [[wall]]
 name = "pusher"
 type = "rectangle"
@@ -58,6 +71,9 @@ type = "oscillation"
 amplitude = [0.001, 0.0, 0.0]
 frequency = 50.0
 phases = ["shake"]
+[wall.heat]
+type = "power"
+power = 0.05
 [[wall]]
 name = "stop"
 type = "rectangle"
@@ -81,6 +97,8 @@ counts = [1, 3, 1]
 spacing = 0.004
 first = [0.0, -0.004, 0.0051]
 fixed = true
+temperature = 900.0
+isothermal = true
 [[particles]]
 type = "pour"
 material = "glass"
@@ -92,6 +110,7 @@ max = [0.004, 0.009, 0.012]
 particle_rate = 2000.0
 start_time = 0.004
 interval = 0.002
+heating = 2000.0
 [tilt]
 angular_velocity = 80.0
 phases = ["shake"]

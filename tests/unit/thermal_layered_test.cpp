@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/math.h"
-#include "thermal/gauss.h"
+#include "heat/gauss.h"
 #include "thermal/plane_source/laplace_inversion.h"
 #include "thermal/plane_source/layered_source.h"
 #include "thermal_samples.h"

@@ -111,6 +111,7 @@ MeasurementKind tilt_onset_measurement();
 MeasurementKind surface_angle_measurement();
 MeasurementKind bulk_density_measurement();
 MeasurementKind retained_slope_measurement();
+MeasurementKind heat_measurement();
 
 struct GatheredGrains {
   std::vector<Sphere> spheres;

@@ -118,6 +118,12 @@ class Blocks {
     add(all.spin, more.spin);
     add(all.radius, more.radius);
     add(all.material, more.material);
+    if (!more.temperature.empty()) {
+      all.temperature.resize(all.size() - more.size(), unset);
+      add(all.temperature, more.temperature);
+    } else if (!all.temperature.empty()) {
+      all.temperature.resize(all.size(), unset);
+    }
     origin.resize(all.size(), block);
   }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/math.h"
-#include "thermal/gauss.h"
+#include "heat/gauss.h"
 #include "thermal/plane_source/laplace_inversion.h"
 
 namespace repose::thermal {

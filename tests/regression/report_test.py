@@ -3,6 +3,7 @@
 Usage: report_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 """
 
+import filecmp
 import json
 import os
 import re
@@ -10,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from report_page import Page, check
@@ -112,6 +114,35 @@ class Report(SharedFolderTest):
             self.assertLessEqual({v for v in grid[figure] if v == v}, set(values))
         self.assertEqual(page.root.find(".//section[@class='state']"), None)
         self.assertIn("seeds = 2", page.words("repeat"))
+
+    def test_a_calibration_renews_its_report(self):
+        """It is there from before the first run, is that of the end afterwards, and nothing else depends on it."""
+        without = self.study("calibrate", head(self.base) + GRID)
+        study, output, path = (self.path("renewed" + end) for end in (".toml", "", ".html"))
+        with open(study, "w") as file:
+            file.write(head(self.base) + GRID)
+        env = {**os.environ, "REPOSE_PYTHON": sys.executable}
+        command = [self.program.mpiexec, "-n", "2", self.program.executable, "calibrate", study, "--output", output,
+                   "--quiet", "--report"]
+        job = subprocess.Popen([*command, path], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        while not os.path.exists(path) and job.poll() is None:
+            time.sleep(0.05)
+        first = Page(self.text(path))
+        self.assertIsNone(job.poll(), "the runs were over before there was a report")
+        check(self, first)
+        self.assertIn("There is no estimate yet.", first.words("answer"))
+        self.assertEqual(("", 0), (job.communicate()[1], job.returncode))
+        self.program.call("report", output, env=env)
+        self.assertEqual(*(re.sub("Made by.*?</footer>", "", self.text(name))
+                           for name in (path, os.path.join(output, "report.html"))))
+        self.assertFalse(os.path.exists(path + ".partial"))
+        for name in ("grid.csv", "estimate.json"):
+            self.assertTrue(filecmp.cmp(os.path.join(without, name), os.path.join(output, name), shallow=False), name)
+        failed = subprocess.run([*command[:-3], self.path("refused"), "--report", self.path("absent", "x.html")], env=env,
+                                capture_output=True, text=True)
+        self.assertEqual(failed.returncode, 4)
+        self.assertRegex(failed.stderr, "repose: .*x.html: cannot be written")
+        self.assertFalse(os.path.exists(self.path("refused", "runs")))
 
     def test_a_calibration_that_goes_on(self):
         output = self.study("calibrate", head(self.base) + GRID)

@@ -32,7 +32,7 @@ start = 14
 name = "mini"
 start = 5
 """
-ANY_WIDTH = 1.0  # a search ends with its first batch: no interval is wider than its range
+FIRST_BATCH = 1e-6  # core-hours, with which a search ends after its first batch
 
 
 class Searches:
@@ -54,11 +54,11 @@ class Searches:
     def search(self, name, laboratory, start, half_width, levels=""):
         """Estimate and particle-steps of a search that stops at this half-width or at the budget. Its first batch is the
         same for every laboratory: it is run once and copied, and counts in each."""
-        adaptive = {"start": start, "batch": 2, "budget_core_hours": self.options.budget}
+        adaptive = {"start": start, "batch": 2, "budget_core_hours": self.options.budget, "half_width": half_width}
         begun = self.calibrate(f"start_{name.split('_')[0]}",
-                               STUDY.search(self.base, laboratory, adaptive | {"half_width": ANY_WIDTH}) + levels)
+                               STUDY.search(self.base, laboratory, adaptive | {"budget_core_hours": FIRST_BATCH}) + levels)
         shutil.copytree(begun.directory / "runs", self.work / name / "runs", dirs_exist_ok=True)
-        found = self.calibrate(name, STUDY.search(self.base, laboratory, adaptive | {"half_width": half_width}) + levels)
+        found = self.calibrate(name, STUDY.search(self.base, laboratory, adaptive) + levels)
         return found.estimate, particle_steps(found)
 
 

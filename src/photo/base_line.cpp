@@ -140,6 +140,9 @@ Line plate_edge(Line line, const Columns& columns, const Image& excess) {
   if (layer < 3.0 * (plate[2] - plate[0])) return line;
   std::size_t depth = off.size();
   while (depth > 0 && off[depth - 1] < layer_share * layer) --depth;
+  // A blurred edge is where it is steepest, above where it has ended.
+  const auto fall = [&](std::size_t k) { return off[k - 1] - (k < off.size() ? off[k] : 0.0); };
+  while (depth > 1 && fall(depth - 1) > fall(depth)) --depth;
   line.at_0 += static_cast<double>(depth);
   return line;
 }

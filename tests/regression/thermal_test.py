@@ -64,6 +64,16 @@ class Thermal(FolderTest):
             self.assertFalse(result["repeats"]["is_met"])  # one file is no repeat
             self.assertIn("BROKEN repeats", text)
 
+    def test_mica_is_read_as_the_bed(self):
+        deck = self.program.deck("thermal_tps_mica.toml")
+        text, made = self.run_tool("thermal", "synthesise", deck)
+        self.assertLess(made["contact_rise_K"], -0.3)  # the layers carry away more than they hold back
+        self.assertIn("the contact adds -0.", text)
+        _, result = self.run_tool("thermal", "tps", self.path("synthesise/transient.csv"), "--deck", deck)
+        transient = result["transients"][0]
+        self.assertAlmostEqual(transient["conductivity_W_mK"]["value"] / 0.21, 1.33, delta=0.03)
+        self.assertFalse(transient["all_criteria_met"])
+
     def test_repeats_are_compared(self):
         before, after = self.write("before.csv", BEFORE), self.write("after.csv", AFTER)
         text, result = self.run_tool("compare", before, after, "--deck", self.program.deck("thermal_compare.toml"))
@@ -102,6 +112,13 @@ class Thermal(FolderTest):
         self.fails(2, "sample_rise_K would be inf", "thermal", "synthesise", tps, "--set", "evaluation.power=1e308")
         self.fails(2, "unsorted.csv:4: time = 2 does not come after 3", "thermal", "tps", unsorted, "--deck", tps)
         self.fails(2, "few.csv: 2 points after time 0", "thermal", "tps", few, "--deck", tps)
+        mica = self.program.deck("thermal_tps_mica.toml")
+        self.fails(2, '"thickness" = -1e-06 is out of range', "thermal", "synthesise", mica, "--set",
+                   "synthetic.layer.0.thickness=-1 um")
+        self.fails(2, '"conductivity" = 0 is out of range', "thermal", "synthesise", mica, "--set",
+                   "synthetic.layer.0.conductivity=0")
+        self.fails(2, "contact_rise_K would be", "thermal", "synthesise", mica, "--set",
+                   "synthetic.layer.0.conductivity=1e-300")
         self.fails(2, 'unknown key "bulk_densty"', "thermal", "bed", bed, "--set", "bulk_densty=2600")
         self.fails(2, "see repose --help", "thermal")
         self.fails(2, "see repose --help", "thermal", "oven", bed)

@@ -25,6 +25,8 @@ class SourceFunction {
   double operator()(double tau) const;
   /// dD/dtau.
   double derivative(double tau) const;
+  /// 0 for a disc.
+  std::int64_t rings() const { return rings_; }
   /// The tau from which on this is D: the cutoff of rings, below which it is 0.
   double least_tau() const { return rings_ == 0 ? 0.0 : cutoff_; }
 

@@ -38,6 +38,26 @@ double contact_rise(const SyntheticTransient& s, double time) {
   return flux * slab.thickness / slab.conductivity * (1.0 - 8.0 / (pi * pi) * sum);  // (T.4)
 }
 
+bool is_layered(const SyntheticTransient& s) { return !s.layers.empty() || s.heater.thickness > 0.0; }
+
+std::vector<double> spiral_rises(const SyntheticTransient& s, const SourceFunction& source,
+                                 const std::vector<double>& times) {
+  if (is_layered(s)) {
+    const LayeredSource layered({.radius = s.radius,
+                                 .rings = source.rings(),
+                                 .strip_width = source.least_tau(),
+                                 .layers = s.layers,
+                                 .conductivity = s.conductivity,
+                                 .volumetric_heat = s.volumetric_heat,
+                                 .heater = s.heater});
+    return layered.rises(times, s.power);
+  }
+  std::vector<double> rises;
+  rises.reserve(times.size());
+  for (const double time : times) rises.push_back(sample_rise(s, source, time) + contact_rise(s, time));
+  return rises;
+}
+
 Transient synthesise(const SyntheticTransient& s, const SourceFunction& source) {
   const double deviation = s.noise * sample_rise(s, source, s.duration);
   std::uint64_t point = 0;
@@ -51,8 +71,9 @@ Transient synthesise(const SyntheticTransient& s, const SourceFunction& source) 
   for (std::int64_t i = 1; i <= s.points; ++i) {
     const double time = s.duration * static_cast<double>(i) / static_cast<double>(s.points);
     transient.time.push_back(time);
-    transient.rise.push_back(sample_rise(s, source, time) + contact_rise(s, time) + disturbance(time));
   }
+  transient.rise = spiral_rises(s, source, transient.time);
+  for (std::size_t i = 0; i < transient.time.size(); ++i) transient.rise[i] += disturbance(transient.time[i]);
   return transient;
 }
 

@@ -60,6 +60,22 @@ void describe(V& v, Insulation& i) {
 }
 
 template <class V>
+void describe(V& v, Layer& l) {
+  v("thickness", l.thickness, Unit::metre, above(0), required, "on each side of the spiral");
+  v("conductivity", l.conductivity, Unit::conductivity, above(0), required, "through the layer");
+  v("radial_conductivity", l.radial_conductivity, Unit::conductivity, above(0), optional_else("conductivity"),
+    "along the layer");
+  v("volumetric_heat", l.volumetric_heat, Unit::volumetric_heat, above(0), required, "of the layer");
+}
+
+template <class V>
+void describe(V& v, Heater& h) {
+  v("thickness", h.thickness, Unit::metre, above(0), required, "of the metal");
+  v("volumetric_heat", h.volumetric_heat, Unit::volumetric_heat, above(0), required, "of the metal");
+  v("coverage", h.coverage, Unit::none, above_to(0, 1), optional, "share of the disc that the strips cover");
+}
+
+template <class V>
 void describe(V& v, SyntheticDeck& d) {
   SyntheticTransient& s = d.transient;
   v("conductivity", s.conductivity, Unit::conductivity, above(0), required, "of the sample");
@@ -72,6 +88,8 @@ void describe(V& v, SyntheticDeck& d) {
   v("idle_points", s.idle_points, Unit::none, from_to(0, 1e6), optional, "recorded before time 0");
   v("seed", s.seed, Unit::none, from_to(0, 1e18), optional, "of the noise");
   v.section("insulation", s.insulation, optional, "between spiral and sample");
+  v.sections("layer", s.layers, optional, "between spiral and sample, from the spiral outwards; instead of insulation");
+  v.section("heater", s.heater, optional, "the metal of the spiral");
 }
 
 template <class V>
@@ -92,6 +110,12 @@ void check(TpsDeck& deck, DeckErrors& errors) {
   const Thermometer& t = deck.sensor.thermometer;
   if ((t.resistance > 0.0) != (t.coefficient > 0.0))
     errors.add("sensor", "[sensor] has one of \"resistance\" and \"resistance_coefficient\"; both belong together");
+  if (deck.synthetic.transient.insulation.thickness > 0.0 && is_layered(deck.synthetic.transient)) {
+    errors.add(
+        "synthetic.insulation",
+        "[synthetic.insulation] adds to the sample's rise, [[synthetic.layer]] and [synthetic.heater] conduct and "
+        "store heat with it; give one or the other");
+  }
   deck.synthetic.transient.radius = deck.sensor.radius;
   deck.synthetic.transient.power = deck.evaluation.power;
 }

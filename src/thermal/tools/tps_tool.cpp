@@ -165,6 +165,9 @@ ToolResult synthesise_tool(const ToolInput& input) {
                                 input.deck.name, s.duration, tau, SourceFunction::max_tau));
   }
   const Transient transient = synthesise(s, source);
+  const double sample = sample_rise(s, source, s.duration);
+  const double contact =
+      is_layered(s) ? spiral_rises(s, source, {s.duration})[0] - sample : contact_rise(s, s.duration);
   ToolResult result;
   result.tables.push_back({"transient.csv", transient_csv(transient, s.power)});
   result.json = {{"tool", "synthesise"},
@@ -173,13 +176,13 @@ ToolResult synthesise_tool(const ToolInput& input) {
                  {"diffusivity_m2_s", s.conductivity / s.volumetric_heat},
                  {"volumetric_heat_J_m3K", s.volumetric_heat},
                  {"power_W", s.power},
-                 {"sample_rise_K", sample_rise(s, source, s.duration)},
-                 {"contact_rise_K", contact_rise(s, s.duration)},
+                 {"sample_rise_K", sample},
+                 {"contact_rise_K", contact},
                  {"time_over_characteristic", tau * tau},
                  {"time_s", transient.time},
                  {"rise_K", transient.rise}};
   result.text = fmt::format("{} points to {} s: the sample rises by {:.4g} K, the contact adds {:.4g} K\n", s.points,
-                            s.duration, sample_rise(s, source, s.duration), contact_rise(s, s.duration));
+                            s.duration, sample, contact);
   return result;
 }
 

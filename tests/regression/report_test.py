@@ -138,8 +138,8 @@ class Report(SharedFolderTest):
         self.assertFalse(os.path.exists(path + ".partial"))
         for name in ("grid.csv", "estimate.json"):
             self.assertTrue(filecmp.cmp(os.path.join(without, name), os.path.join(output, name), shallow=False), name)
-        failed = subprocess.run([*command[:-3], self.path("refused"), "--report", self.path("absent", "x.html")], env=env,
-                                capture_output=True, text=True)
+        command[-3:] = [self.path("refused"), "--report", self.path("absent", "x.html")]
+        failed = subprocess.run(command, env=env, capture_output=True, text=True)
         self.assertEqual(failed.returncode, 4)
         self.assertRegex(failed.stderr, "repose: .*x.html: cannot be written")
         self.assertFalse(os.path.exists(self.path("refused", "runs")))

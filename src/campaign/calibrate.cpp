@@ -1,11 +1,14 @@
 #include "campaign/calibrate.h"
 
+#include <optional>
+
 #include <fmt/core.h>
 
 #include "base/error.h"
 #include "campaign/calibration_work.h"
 #include "campaign/estimate_report.h"
 #include "campaign/level_runs.h"
+#include "campaign/live_report.h"
 #include "campaign/search.h"
 #include "comm/agreement.h"
 #include "deck/calibration_deck.h"
@@ -44,20 +47,24 @@ std::string write_estimate(const CalibrationDeck& deck, std::span<const StudyRun
 
 }  // namespace
 
-std::string calibrate_file(const Communicator& world, const RunRequest& request, const StopAsked& stop_asked) {
+std::string calibrate_file(const Communicator& world, const RunRequest& request, const StopAsked& stop_asked,
+                           const std::string& report_file) {
   const std::string text = read_shared_file(world, request.deck);
   const CalibrationDeck deck = read_calibration_deck(text, request.deck);
   check_counts(deck, request.deck);
+  std::optional<LiveReport> live;
   agree_after_root(world, [&] {
     create_output_directory(request.output);
     write_text_file(request.output + deck_file, text);
+    if (!report_file.empty()) live.emplace(request.output, report_file, request.log);
   });
-  CalibrationWork work(world, deck, text, request, stop_asked);
+  CalibrationWork work(world, deck, text, request, stop_asked, live ? &*live : nullptr);
   const auto done = deck.adaptive.enabled ? search(deck, work) : work.at(at_every_level(deck, points_of(deck)));
   std::string report;
   agree_after_root(world, [&] {
     report = write_estimate(deck, done.runs, done.records, request.output);
     report += effort_text(work.effort(), world.size());
+    if (live) live->finish();
   });
   return report;
 }

@@ -10,8 +10,9 @@ namespace repose {
 /// Collective. Does the runs of the calibration deck `request.deck` and estimates its parameters, in the directory
 /// `request.output`: runs/NAME, grid.h5, grid.csv, calibration.toml, estimate.json. What is complete there is not done
 /// again. Overrides are of the base deck. Returns what a person is to read, on rank 0. DeckError, FileError; Stopped
-/// when `stop_asked` gives a reason.
-std::string calibrate_file(const Communicator& world, const RunRequest& request, const StopAsked& stop_asked);
+/// when `stop_asked` gives a reason. `report_file`: a report that is renewed meanwhile; none when it is empty.
+std::string calibrate_file(const Communicator& world, const RunRequest& request, const StopAsked& stop_asked,
+                           const std::string& report_file);
 
 /// Collective. Estimates again from the runs in `directory`, without any new one: with the laboratory values of the
 /// calibration deck `deck`, or of the directory's own when it is empty.

@@ -26,12 +26,14 @@ CampaignPlan plan_of_levels(const CalibrationDeck& deck, const std::string& text
 }  // namespace
 
 CalibrationWork::CalibrationWork(const Communicator& world, const CalibrationDeck& deck, const std::string& text,
-                                 const RunRequest& request, const StopAsked& stop_asked)
+                                 const RunRequest& request, const StopAsked& stop_asked, LiveReport* report)
     : world_(world),
       deck_(deck),
       overrides_(request.overrides),
       stop_asked_(stop_asked),
-      plan_(plan_of_levels(deck, text, request)) {}
+      plan_(plan_of_levels(deck, text, request)) {
+  plan_.report = report;
+}
 
 DoneRuns CalibrationWork::at(std::span<const LevelPoint> points) {
   std::vector<StudyRun> runs = level_runs(deck_, overrides_, points);

@@ -20,9 +20,9 @@ struct DoneRuns {
 class CalibrationWork {
  public:
   /// Refers to its arguments. `request` names the calibration deck, whose text is given, and the directory; its
-  /// overrides are of all base decks.
+  /// overrides are of all base decks. `report`: to be renewed meanwhile; may be null.
   CalibrationWork(const Communicator& world, const CalibrationDeck& deck, const std::string& text,
-                  const RunRequest& request, const StopAsked& stop_asked);
+                  const RunRequest& request, const StopAsked& stop_asked, LiveReport* report);
 
   /// The runs at all these points; what is complete is not done again. DeckError, FileError, Stopped.
   DoneRuns at(std::span<const LevelPoint> points);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "campaign/grid_table.h"
+#include "campaign/live_report.h"
 #include "campaign/run_folder.h"
 #include "campaign/run_list.h"
 #include "comm/communicator.h"
@@ -21,7 +22,8 @@ struct CampaignPlan {
   std::vector<std::string> figures;  ///< keys of summary.json, for the table
   std::string directory;             ///< runs in runs/NAME, tables beside
   VectorLevel level;
-  RunLog log;  ///< of the whole; each run has a run.log of its own
+  RunLog log;                    ///< of the whole; each run has a run.log of its own
+  LiveReport* report = nullptr;  ///< to be renewed meanwhile; rank 0
 };
 
 /// How the ranks have spent a campaign.

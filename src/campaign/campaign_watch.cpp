@@ -17,6 +17,11 @@ void CampaignWatch::look() {
   counters_.answer();
   if (seconds_since(last_look_) < patience) return;
   last_look_ = WallClock::now();
+  look_at_runs();
+  if (plan_.report != nullptr) plan_.report->renew();
+}
+
+void CampaignWatch::look_at_runs() {
   const std::int64_t finished = counters_.read(finished_runs);
   if (finished == last_finished_) return;
   last_finished_ = finished;

@@ -19,12 +19,14 @@ class CampaignWatch {
   CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs, std::span<const std::size_t> order,
                 SharedCounters& counters);
 
-  /// A progress line and new tables when runs have ended since the last, at most every few seconds.
+  /// A progress line and new tables when runs have ended since the last, at most every few seconds; the report, if
+  /// there is to be one.
   void look();
   /// The records of all runs, from their folders, and the tables.
   std::vector<RunRecord> write_tables();
 
  private:
+  void look_at_runs();
   std::string progress(std::int64_t finished, std::int64_t failed, std::int64_t drawn) const;
 
   const CampaignPlan& plan_;

@@ -30,6 +30,8 @@ struct OutputDeck {
   double progress_seconds = 5.0;      ///< wall seconds between progress lines
   double checkpoint_minutes = 10.0;   ///< wall minutes between checkpoints; 0: not by time
   std::int64_t checkpoint_steps = 0;  ///< steps between checkpoints; 0: not by steps
+  bool contacts = false;
+  bool walls = false;
   bool trace = false;
   std::int64_t trace_every = 10;
 };
@@ -45,6 +47,10 @@ void describe(V& v, OutputDeck& o) {
     "wall-clock minutes between checkpoints; 0: not by time");
   v("checkpoint_steps", o.checkpoint_steps, Unit::none, at_least(0), optional,
     "steps between checkpoints; 0: not by steps");
+  v("contacts", o.contacts, Unit::none, any_value, optional,
+    "write all contacts with their forces beside each snapshot (contacts_<step>.vtp)");
+  v("walls", o.walls, Unit::none, any_value, optional,
+    "write the walls where they are beside each snapshot (walls_<step>.vtp)");
   v("trace", o.trace, Unit::none, any_value, optional, "write every particle to a CSV file; for small cases");
   v("trace_every", o.trace_every, Unit::none, at_least(1), optional, "steps between rows of the trace");
 }

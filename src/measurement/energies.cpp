@@ -4,6 +4,7 @@
 
 #include "comm/order_independent_sum.h"
 #include "contact/general_law.h"
+#include "measurement/touching_pairs.h"
 #include "scene/particles/sphere_mass.h"
 
 namespace repose {
@@ -31,24 +32,6 @@ double spring_energy(const PairParameters& pair, double overlap, double radius_e
   const double k_r = GeneralLaw::rolling_stiffness(pair, k, contact);
   return normal_energy(pair, contact, k, radius) + 0.5 * k.tangential * squared_norm(history.spring) +
          (k_r > 0.0 ? 0.5 * squared_norm(history.rolling) / k_r : 0.0);
-}
-
-/// Calls visit(group, first, second, overlap, lane) for every touching pair that counts here: the rank that owns the
-/// lower id counts it. What remembers at a negative overlap is held together by adhesion.
-template <class Visit>
-void for_each_touching_pair(const Particles& particles, const PairLists& pairs, Visit&& visit) {
-  for (const PairGroup& group : pairs.groups()) {
-    for (const PairGroup::Pair& pair : group.pairs) {
-      const auto i = static_cast<std::size_t>(pair.first);
-      const auto j = static_cast<std::size_t>(pair.second);
-      if (pair.lane < 0 || i >= particles.owned) continue;
-      const ParticleRecord& a = particles.record[i];
-      const ParticleRecord& b = particles.record[j];
-      const double overlap = a.radius + b.radius - norm(a.position - b.position);
-      const auto lane = static_cast<std::size_t>(pair.lane);
-      if (overlap > 0.0 || !is_blank(lane_history(group, lane))) visit(group, i, j, overlap, lane);
-    }
-  }
 }
 
 }  // namespace

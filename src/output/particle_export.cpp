@@ -8,6 +8,7 @@
 
 #include "files/csv_file.h"
 #include "output/dump_export.h"
+#include "output/poly_data.h"
 #include "output/vector_rows.h"
 #include "output/vtk_arrays.h"
 
@@ -30,24 +31,14 @@ std::string vtp_text(const SnapshotParticles& snapshot) {
   std::vector<std::int64_t> ends(p.size());
   std::iota(ends.begin(), ends.end(), 1);
   VtkArrays data;
-  std::string text =
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n";
-  text += "<FieldData>\n" + data.array("TimeValue", 1, {snapshot.time_s});
-  text.insert(text.rfind(" format="), " NumberOfTuples=\"1\"");
-  text += "</FieldData>\n";
-  text += fmt::format(
-      "<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
-      "NumberOfPolys=\"0\">\n",
-      p.size());
+  std::string text = poly_data_begin(data, snapshot.time_s, {.points = p.size(), .verts = p.size()});
   text += "<PointData Scalars=\"radius\">\n" + data.array("id", p.id);
   text += data.array("velocity", 3, flat(p.velocity)) + data.array("angular_velocity", 3, flat(p.spin));
   text += data.array("radius", 1, p.radius) + data.array("mass", 1, snapshot.mass);
   text += data.array("Int32", "material", 1, std::span<const int>(p.material)) + "</PointData>\n";
   text += "<Points>\n" + data.array("position", 3, flat(p.position)) + "</Points>\n";
   text += "<Verts>\n" + data.array("connectivity", vertices) + data.array("offsets", ends) + "</Verts>\n";
-  text += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-  return text + data.bytes() + "\n</AppendedData>\n</VTKFile>\n";
+  return text + poly_data_end(data);
 }
 
 std::string csv_text(const SnapshotParticles& snapshot) {

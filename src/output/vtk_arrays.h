@@ -27,6 +27,7 @@ class VtkArrays {
     return array("Int64", name, 1, std::span<const std::int64_t>(values));
   }
   const std::string& bytes() const { return bytes_; }
+  bool is_compressed() const { return compression_ == Compression::zlib; }
 
  private:
   std::string array(const char* type, const char* name, int components, std::string_view bytes);

@@ -4,13 +4,15 @@
 
 #include "files/step_file.h"
 #include "output/snapshot.h"
+#include "run/snapshot_files.h"
 
 namespace repose {
 
 std::string with_neighbourhood(const Communicator& comm, const Deck& deck, const OutputOptions& options,
                                const Alarm& alarm) {
   if (alarm.neighbourhood.total == 0) return alarm.message;
-  const std::string path = fmt::format("{}/{}", options.directory, file_of_step("neighbourhood_", alarm.step));
+  const std::string path = fmt::format(
+      "{}/{}", options.directory, file_of_step(neighbourhood_files.prefix, alarm.step, neighbourhood_files.ending));
   SnapshotHeader header;
   header.step = alarm.step;
   header.time_s = alarm.time;

@@ -13,14 +13,12 @@
 #include "comm/agreement.h"
 #include "files/atomic_file.h"
 #include "files/directory.h"
-#include "files/step_file.h"
 #include "heat/heat_figures.h"
 #include "measurement/discharged_mass.h"
 #include "measurement/energies.h"
 #include "measurement/state_hash.h"
 #include "output/collect_particles.h"
 #include "output/progress.h"
-#include "output/snapshot.h"
 #include "run/cost.h"
 
 namespace repose {
@@ -197,27 +195,6 @@ void Recorder::write_trace(const Simulation& simulation) {
       collect_particles(simulation.comm(), simulation.materials(), simulation.particles(), simulation.planned());
   const std::vector<TraceRow> rows = gather_trace_rows(simulation.comm(), table);
   agree_after_root(simulation.comm(), [&] { trace_->append(simulation.steps(), rows); });
-}
-
-void Recorder::write_snapshot_now(const Simulation& simulation) {
-  if (simulation.steps() == last_snapshot_) return;
-  last_snapshot_ = simulation.steps();
-  const Communicator& comm = simulation.comm();
-  SnapshotHeader header;
-  header.step = simulation.steps();
-  header.time_s = simulation.time();
-  header.deck = options_.resolved_deck;
-  header.build = options_.build;
-  header.state_hash = state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
-  header.inserted = simulation.inserted();
-  header.inside = inside(simulation);
-  header.left = header.inserted - header.inside;
-  for (const MaterialDeck& m : simulation.deck().materials) header.materials.push_back(m.name);
-  const std::string name = file_of_step("run_", simulation.steps());
-  const HeatState* heat = simulation.heat() != nullptr ? &simulation.heat()->state() : nullptr;
-  write_snapshot(comm, path(name),
-                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.planned(), heat), header);
-  agree_after_root(comm, [&] { snapshots_.add(name, simulation.time()); });
 }
 
 /// One line every few wall seconds; rank 0's clock decides for all, since the line needs sums over the ranks.

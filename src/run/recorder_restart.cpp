@@ -3,6 +3,7 @@
 #include "comm/agreement.h"
 #include "files/step_file.h"
 #include "run/recorder.h"
+#include "run/snapshot_files.h"
 
 namespace repose {
 
@@ -41,8 +42,8 @@ void Recorder::remove_earlier_results() const {
 void Recorder::remove_snapshots_after(std::int64_t step) const {
   for (const auto& entry : std::filesystem::directory_iterator(options_.directory)) {
     const std::string name = entry.path().filename().string();
-    for (const char* prefix : {"run_", "neighbourhood_"}) {
-      const auto of = step_of_file(name, prefix);
+    for (const StepFiles& files : {snapshot_files, neighbourhood_files, contacts_files, walls_files}) {
+      const auto of = step_of_file(name, files.prefix, files.ending);
       if (of && *of > step && !entry.is_directory()) std::filesystem::remove(entry.path());
     }
   }

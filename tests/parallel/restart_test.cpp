@@ -130,6 +130,8 @@ orifice_height = 0.0
 [output]
 series_interval = "1 ms"
 snapshot_interval = "5 ms"
+contacts = true
+walls = true
 trace = true
 trace_every = 500
 )";
@@ -168,7 +170,9 @@ class Restart : public testing::Test {
 
   void expect_same_files(const std::string& a, const std::string& b) const {
     if (!world_.is_root()) return;
-    for (const char* file : {"series.csv", "walls.csv", "trace.csv", "run.hdf.series", "run_0000002500.hdf"}) {
+    for (const char* file : {"series.csv", "walls.csv", "trace.csv", "run.hdf.series", "run_0000002500.hdf",
+                             "contacts_0000002500.vtp", "walls_0000002500.vtp"}) {
+      EXPECT_FALSE(text_of(folder(a) + "/" + file).empty()) << file;
       EXPECT_EQ(text_of(folder(a) + "/" + file), text_of(folder(b) + "/" + file)) << file;
     }
   }

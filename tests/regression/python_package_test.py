@@ -153,7 +153,8 @@ class Package(SharedFolderTest):
             repose.run(self.deck("discharge_quick.toml"), output, set={"particles.0.mass": "0.2 g"},
                        options=("--time-limit", "00:00:02"), program=self.program.executable)
         self.assertEqual(caught.exception.code, 75)
-        contacts = repose.Run(output).contacts
+        contacts = repose.Run(output).checkpoint_contacts
+        self.raises("the deck has no output.contacts", repose.Run(output).contacts)
         with h5py.File(next(os.path.join(output, n) for n in os.listdir(output) if n.startswith("checkpoint"))) as file:
             ids, counts = file["particles/id"][...], file["particles/pair_contacts"][...]
             self.assertEqual(len(contacts.wall), len(file["wall_contacts/wall"]))
@@ -162,7 +163,7 @@ class Package(SharedFolderTest):
         self.assertEqual(dict(zip(contacts.ids.tolist(), contacts.coordination().tolist())),
                          dict(zip(ids.tolist(), counts.tolist())))
         self.assertEqual(contacts.spring.shape, (len(contacts.pairs), 3))
-        self.assertIsNone(self.run_.contacts)
+        self.assertIsNone(self.run_.checkpoint_contacts)
         self.assertIsNone(self.run_.picture("top_view", "pdf"))
 
     def test_calibrate_and_validate(self):

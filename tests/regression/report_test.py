@@ -3,6 +3,7 @@
 Usage: report_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 """
 
+import filecmp
 import json
 import os
 import re
@@ -10,9 +11,10 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
-import xml.etree.ElementTree as tree
 
+from report_page import Page, check
 from repose_runs import Program, SharedFolderTest
 from study_decks import GRID, MASS, MORRIS, REDUCED, SEARCH, SLIDING, case_text, head
 
@@ -22,35 +24,6 @@ MOST_BYTES = 5_000_000
 PILED = ["particles.0.mass=0.3 g", "phase.settle.max_time=60 ms", "phase.settle.min_time=1 ms",
          "phase.discharge.max_time=200 ms",
          "phase.discharge.min_time=200 ms", "material.0.youngs_modulus=0.5 MPa", "material.1.youngs_modulus=0.5 MPa"]
-
-
-class Page:
-    """A report as XML."""
-
-    def __init__(self, text):
-        self.text = text
-        self.root = tree.fromstring(text.split("\n", 1)[1])
-        self.ids = [node.get("id") for node in self.root.iter() if node.get("id")]
-
-    def section(self, name):
-        return next(node for node in self.root.iter() if node.get("id") == name)
-
-    def words(self, name):
-        return " ".join(" ".join(self.section(name).itertext()).split())
-
-    def values(self, name=None):
-        """Numbers of the files, as they are behind the texts."""
-        nodes = self.section(name) if name else self.root
-        return [float(node.get("value")) for node in nodes.iter("data")]
-
-    def titled(self, name=None):
-        """{key: numbers} of those that have their key."""
-        found = {}
-        for node in (self.section(name) if name else self.root).iter("data"):
-            match = re.match(r"([\w.]+) = (\S+?)(?:, standard error (\S+))?$", node.get("title", ""))
-            if match:
-                found.setdefault(match[1], []).append((float(match[2]), float(match[3]) if match[3] else None))
-        return found
 
 
 class Report(SharedFolderTest):
@@ -63,25 +36,17 @@ class Report(SharedFolderTest):
         with open(os.path.join(*names)) as file:
             return json.load(file)
 
+    def text(self, path):
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+
     def page(self, directory):
         """The report, after all that holds for each."""
         from repose import report
         path = report.write(directory, self.path("report.html"))
         self.assertLess(os.path.getsize(path), MOST_BYTES)
-        with open(path, encoding="utf-8") as file:
-            page = Page(file.read())
-        self.assertEqual(len(page.ids), len(set(page.ids)), "ids that stand twice")
-        for node in page.root.iter():
-            self.assertNotIn(node.tag, ("link", "iframe", "img", "object", "embed"))
-            self.assertNotIn("src", node.attrib)
-            for key, value in node.attrib.items():
-                self.assertNotRegex(value, r"https?:|file:", f"{node.tag} {key}")
-                for target in re.findall(r"url\((.*?)\)", value) + ([value] if key == "href" else []):
-                    self.assertTrue(target.startswith("data:image/") or target[1:] in page.ids,
-                                    f"{node.tag} {key}: {target[:60]}")
-        style = "".join(page.root.find(".//style").itertext())
-        self.assertNotRegex(style, r"@import|url\(")
-        self.assertNotRegex("".join(page.root.find(".//script").itertext()), r"fetch|XMLHttp|import\(|http")
+        page = Page(self.text(path))
+        check(self, page)
         return page
 
     def test_a_run(self):
@@ -149,6 +114,35 @@ class Report(SharedFolderTest):
             self.assertLessEqual({v for v in grid[figure] if v == v}, set(values))
         self.assertEqual(page.root.find(".//section[@class='state']"), None)
         self.assertIn("seeds = 2", page.words("repeat"))
+
+    def test_a_calibration_renews_its_report(self):
+        """It is there from before the first run, is that of the end afterwards, and nothing else depends on it."""
+        without = self.study("calibrate", head(self.base) + GRID)
+        study, output, path = (self.path("renewed" + end) for end in (".toml", "", ".html"))
+        with open(study, "w") as file:
+            file.write(head(self.base) + GRID)
+        env = {**os.environ, "REPOSE_PYTHON": sys.executable}
+        command = [self.program.mpiexec, "-n", "2", self.program.executable, "calibrate", study, "--output", output,
+                   "--quiet", "--report"]
+        job = subprocess.Popen([*command, path], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        while not os.path.exists(path) and job.poll() is None:
+            time.sleep(0.05)
+        first = Page(self.text(path))
+        self.assertIsNone(job.poll(), "the runs were over before there was a report")
+        check(self, first)
+        self.assertIn("There is no estimate yet.", first.words("answer"))
+        self.assertEqual(("", 0), (job.communicate()[1], job.returncode))
+        self.program.call("report", output, env=env)
+        self.assertEqual(*(re.sub("Made by.*?</footer>", "", self.text(name))
+                           for name in (path, os.path.join(output, "report.html"))))
+        self.assertFalse(os.path.exists(path + ".partial"))
+        for name in ("grid.csv", "estimate.json"):
+            self.assertTrue(filecmp.cmp(os.path.join(without, name), os.path.join(output, name), shallow=False), name)
+        command[-3:] = [self.path("refused"), "--report", self.path("absent", "x.html")]
+        failed = subprocess.run(command, env=env, capture_output=True, text=True)
+        self.assertEqual(failed.returncode, 4)
+        self.assertRegex(failed.stderr, "repose: .*x.html: cannot be written")
+        self.assertFalse(os.path.exists(self.path("refused", "runs")))
 
     def test_a_calibration_that_goes_on(self):
         output = self.study("calibrate", head(self.base) + GRID)
@@ -259,8 +253,7 @@ class Report(SharedFolderTest):
         self.assertEqual((done.returncode, done.stdout), (0, os.path.join(output, "report.html") + "\n"), done.stderr)
         texts = []
         for name in (path, os.path.join(output, "report.html")):
-            with open(name, encoding="utf-8") as file:
-                texts.append(re.sub(r"Made by.*?</footer>", "", file.read()))
+            texts.append(re.sub(r"Made by.*?</footer>", "", self.text(name)))
         self.assertEqual(texts[0], texts[1])
         bare = self.path("bare_python")
         with open(bare, "w") as file:

@@ -1,1 +1,1 @@
-repose_test(unit_campaign LABEL unit SOURCES campaign_runs_test.cpp campaign_table_test.cpp LINK repose_campaign)
+repose_test(unit_campaign LABEL unit SOURCES campaign_report_test.cpp campaign_runs_test.cpp campaign_table_test.cpp LINK repose_campaign)

@@ -23,6 +23,7 @@ Needs numpy; h5py for snapshots and contacts, matplotlib for `repose.plots`, pan
 import importlib
 
 from repose.calibration import Calibration, Surfaces
+from repose.contact_forces import ContactForces
 from repose.contacts import Contacts
 from repose.directory import open_directory as open
 from repose.files import ReposeError, Table
@@ -32,9 +33,8 @@ from repose.sensitivity import Sensitivity
 from repose.snapshot import Snapshot
 from repose.validation import Validation
 
-__all__ = ["Calibration", "Contacts", "ReposeError", "Run", "Sensitivity", "Snapshot", "Surfaces", "Table",
-           "Validation",
-           "calibrate", "find_program", "open", "run", "validate"]
+__all__ = ["Calibration", "ContactForces", "Contacts", "ReposeError", "Run", "Sensitivity", "Snapshot", "Surfaces",
+           "Table", "Validation", "calibrate", "find_program", "open", "run", "validate"]
 
 
 def __getattr__(name):

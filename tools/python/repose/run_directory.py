@@ -3,6 +3,7 @@
 import functools
 import pathlib
 
+from repose.contact_forces import ContactForces
 from repose.contacts import Contacts
 from repose.files import ReposeError, Table, number_in, read_json, read_rows, read_table, read_text, read_toml
 from repose.snapshot import Snapshot, build_of
@@ -139,7 +140,21 @@ class Run:
         return sorted(self.directory.glob("checkpoint_*.hdf"), key=lambda path: int(path.stem.split("_")[1]))
 
     @property
-    def contacts(self):
+    def contact_paths(self):
+        """Of the files of contacts (`output.contacts`), in the order of time."""
+        return sorted(self.directory.glob("contacts_*.vtp"), key=lambda path: int(path.stem.split("_")[1]))
+
+    def contacts(self, n=-1):
+        """`ContactForces` beside `snapshots[n]`: who touches whom with what force, in N; the last by default."""
+        paths = self.contact_paths
+        if not paths:
+            raise ReposeError(f"{self.directory}: has no contacts_<step>.vtp: the deck has no output.contacts = true")
+        if not -len(paths) <= n < len(paths):
+            raise ReposeError(f"{self.directory}: has no contacts {n}, but {len(paths)} files of them")
+        return ContactForces(paths[n])
+
+    @property
+    def checkpoint_contacts(self):
         """`Contacts` of the newest checkpoint; None without one, as when the run is complete."""
         paths = self.checkpoint_paths
         return Contacts(paths[-1]) if paths else None

@@ -50,7 +50,8 @@ void check_wall(const std::string& section, const WallHeatDeck& wall, DeckErrors
 
 void check_heat(const Deck& deck, DeckErrors& errors) {
   const auto check_on = [&](const std::string& key, bool is_asked_for) {
-    if (is_asked_for && !deck.heat.enabled) errors.add(key, "there is no [heat], without which nothing has a temperature");
+    if (is_asked_for && !deck.heat.enabled)
+      errors.add(key, "there is no [heat], without which nothing has a temperature");
   };
   for (std::size_t i = 0; i < deck.materials.size(); ++i) {
     check_material(fmt::format("material.{}", i), deck.materials[i], deck.heat, errors);

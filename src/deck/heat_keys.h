@@ -37,7 +37,8 @@ void describe(V& v, HeatDeck& h) {
   v("every", h.every, Unit::none, from_to(1, 1000000), optional, "mechanical steps in a thermal step");
   v("conductance", h.conductance, Unit::none, any_value, optional,
     "of contacts; hertz: by the radius of the contact; intersection: by the area in which the spheres cut (LIGGGHTS)");
-  v("gas", h.gas, Unit::none, any_value, optional, "air: conducts in the gaps around contacts and between near surfaces");
+  v("gas", h.gas, Unit::none, any_value, optional,
+    "air: conducts in the gaps around contacts and between near surfaces");
   v("pressure", h.pressure, Unit::pascal, above(0), optional.when(h.gas == GapGas::air, "gas = air"), "of the gas");
   v("radiation", h.radiation, Unit::none, any_value, optional, "surfaces that are near radiate to one another");
   v("max_gap", h.max_gap, Unit::none, from_to(0, 2), optional.when(crosses_gaps(h), "gas or radiation"),
@@ -62,9 +63,7 @@ void describe(V& v, HeatTableDeck& t) {
 }
 
 enum class WallHeatType { temperature, power, ambient };
-constexpr auto enumerators(WallHeatType) {
-  return std::array<std::string_view, 3>{"temperature", "power", "ambient"};
-}
+constexpr auto enumerators(WallHeatType) { return std::array<std::string_view, 3>{"temperature", "power", "ambient"}; }
 
 /// [wall.heat]
 struct WallHeatDeck {

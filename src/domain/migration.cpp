@@ -33,7 +33,8 @@ void pack(const Particles& particles, const ContactMemory& memory, std::size_t i
   const auto pairs = memory.pairs.row(i);
   const auto walls = memory.walls.row(i);
   buffer.put(Passport{particles.record[i], particles.id[i], static_cast<std::int64_t>(pairs.size()),
-                      static_cast<std::int64_t>(walls.size()), particles.has_heat ? particles.heat[i] : 0, particles.material[i]});
+                      static_cast<std::int64_t>(walls.size()), particles.has_heat ? particles.heat[i] : 0,
+                      particles.material[i]});
   buffer.put_all(pairs);
   buffer.put_all(walls);
 }

@@ -6,6 +6,15 @@
 #include "base/math.h"
 
 namespace repose {
+namespace {
+
+/// W/K through a contact's circle (m) between solids of conductivities k_1 and k_2.
+double through_circle(ContactConductance model, double k_1, double k_2, double circle) {
+  const double conductance = 4.0 * k_1 * k_2 / (k_1 + k_2) * circle;
+  return model == ContactConductance::hertz ? conductance : std::sqrt(pi) * conductance;
+}
+
+}  // namespace
 
 Conductance::Conductance(const Deck& deck) : deck_(deck.heat) {
   for (const MaterialDeck& m : deck.materials) {
@@ -30,74 +39,61 @@ double Conductance::contact_circle(double r1, double r2, double distance, double
   return 0.5 * std::sqrt(std::max(0.0, -product)) / distance;
 }
 
-double Conductance::radiation_between(const WarmBody& a, const WarmBody& b) const {
-  if (!deck_.radiation) return 0.0;
-  return radiative_coefficient(0.5 * (a.temperature + b.temperature), emissivity_[a.material], emissivity_[b.material]);
-}
-
-double Conductance::across_gap(const GrainPair& pair, double temperature, double radiation) const {
-  GapFill fill{.conductivity = 0.0, .free_path = 0.0, .radiation = radiation};
-  if (gas_) {
-    const GasTable::Point gas = gas_->at(temperature);
-    fill.conductivity = gas.conductivity;
-    fill.free_path = gas.free_path;
-  }
-  return gap_conductance(pair, fill, deck_.porosity);
+/// What is in the gap of two bodies, at their mean temperature.
+GapFill Conductance::fill_between(const WarmBody& a, const WarmBody& b) const {
+  const double temperature = 0.5 * (a.temperature + b.temperature);
+  GapFill fill;
+  if (deck_.radiation)
+    fill.radiation = radiative_coefficient(temperature, emissivity_[a.material], emissivity_[b.material]);
+  if (!gas_) return fill;
+  const GasTable::Point gas = gas_->at(temperature);
+  fill.conductivity = gas.conductivity;
+  fill.free_path = gas.free_path;
+  return fill;
 }
 
 double Conductance::of_pair(const WarmBody& first, const WarmBody& second, double distance) const {
   const double gap = distance - first.radius - second.radius;
   if (gap > reach_share() * (first.radius + second.radius) || (gap >= 0.0 && !crosses_gaps(deck_))) return 0.0;
-  GrainPair pair{.radius_1 = first.radius,
-                 .radius_2 = second.radius,
-                 .conductivity_1 = tables_[first.material].conductivity(first.temperature),
-                 .conductivity_2 = tables_[second.material].conductivity(second.temperature),
-                 .gap = gap};
   const double root = stiffness_root_[first.material * tables_.size() + second.material];
-  pair.contact_radius = contact_circle(first.radius, second.radius, distance, root);
-  double conductance = 0.0;
-  if (deck_.conductance == ContactConductance::hertz) {
-    conductance = pair.contact_radius > 0.0 ? contact_conductance(pair) : 0.0;
-  } else {
-    const double k = pair.conductivity_1 * pair.conductivity_2 / (pair.conductivity_1 + pair.conductivity_2);
-    conductance = 4.0 * k * std::sqrt(pi) * pair.contact_radius;
-  }
-  if (!crosses_gaps(deck_)) return conductance;
-  const double temperature = 0.5 * (first.temperature + second.temperature);
-  return conductance + across_gap(pair, temperature, radiation_between(first, second));
+  const GrainPair pair{.radius_1 = first.radius,
+                       .radius_2 = second.radius,
+                       .conductivity_1 = tables_[first.material].conductivity(first.temperature),
+                       .conductivity_2 = tables_[second.material].conductivity(second.temperature),
+                       .gap = gap,
+                       .contact_radius = contact_circle(first.radius, second.radius, distance, root)};
+  const double contact =
+      through_circle(deck_.conductance, pair.conductivity_1, pair.conductivity_2, pair.contact_radius);
+  if (!crosses_gaps(deck_)) return contact;
+  return contact + gap_conductance(pair, fill_between(first, second), deck_.porosity);
 }
 
 double Conductance::of_wall(const WarmBody& grain, const WarmBody& wall, double distance) const {
-  const double gap = distance - grain.radius;
-  if (gap > reach_share() * grain.radius || (gap >= 0.0 && !crosses_gaps(deck_))) return 0.0;
-  const double k_grain = tables_[grain.material].conductivity(grain.temperature);
-  const double k_wall = tables_[wall.material].conductivity(wall.temperature);
-  const double k = k_grain * k_wall / (k_grain + k_wall);
-  const double root = stiffness_root_[grain.material * tables_.size() + wall.material];
+  const double r = grain.radius;
+  const double gap = distance - r;
+  if (gap > reach_share() * r || (gap >= 0.0 && !crosses_gaps(deck_))) return 0.0;
+  const double k = tables_[grain.material].conductivity(grain.temperature);
   double circle = 0.0;
-  double conductance = 0.0;
-  if (gap < 0.0 && deck_.conductance == ContactConductance::hertz) {
-    circle = std::sqrt(grain.radius * -gap) * root;
-    conductance = 4.0 * k * circle;
-  } else if (gap < 0.0) {
-    circle = std::sqrt((grain.radius - distance) * (grain.radius + distance));
-    conductance = 4.0 * k * std::sqrt(pi) * circle;
+  if (gap < 0.0) {
+    const double root = stiffness_root_[grain.material * tables_.size() + wall.material];
+    const bool is_hertz = deck_.conductance == ContactConductance::hertz;
+    circle = is_hertz ? std::sqrt(r * -gap) * root : std::sqrt((r - distance) * (r + distance));
   }
-  if (!crosses_gaps(deck_)) return conductance;
-  const GrainPair mirrored{.radius_1 = grain.radius,
-                           .radius_2 = grain.radius,
-                           .conductivity_1 = k_grain,
-                           .conductivity_2 = k_grain,
+  const double contact =
+      through_circle(deck_.conductance, k, tables_[wall.material].conductivity(wall.temperature), circle);
+  if (!crosses_gaps(deck_)) return contact;
+  // Half of the resistance to the mirror image, which lies across twice the gap: there the free path counts twice and
+  // the radiation half.
+  const GrainPair mirrored{.radius_1 = r,
+                           .radius_2 = r,
+                           .conductivity_1 = k,
+                           .conductivity_2 = k,
                            .gap = 2.0 * gap,
                            .contact_radius = circle};
-  // Half of the resistance: over twice the gap with twice the free path, and half of the radiation.
-  GapFill fill{.conductivity = 0.0, .free_path = 0.0, .radiation = 0.5 * radiation_between(grain, wall)};
-  if (gas_) {
-    const GasTable::Point gas = gas_->at(0.5 * (grain.temperature + wall.temperature));
-    fill.conductivity = gas.conductivity;
-    fill.free_path = 2.0 * gas.free_path;
-  }
-  return conductance + 2.0 * gap_conductance(mirrored, fill, deck_.porosity);
+  GapFill fill = fill_between(grain, wall);
+  fill.free_path *= 2.0;
+  fill.radiation *= 0.5;
+  return contact + 2.0 * gap_conductance(mirrored, fill, deck_.porosity);
 }
 
 }  // namespace repose

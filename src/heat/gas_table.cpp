@@ -28,12 +28,14 @@ GasTable::GasTable(double pressure) {
 }
 
 GasTable::Point GasTable::at(double temperature) const {
-  const double place = (std::clamp(temperature, air_min_temperature, air_max_temperature) - air_min_temperature) / spacing;
+  const double place =
+      (std::clamp(temperature, air_min_temperature, air_max_temperature) - air_min_temperature) / spacing;
   const auto below = std::min(static_cast<std::size_t>(place), points_.size() - 2);
   const double share = place - static_cast<double>(below);
   const Point& a = points_[below];
   const Point& b = points_[below + 1];
-  return {a.conductivity + share * (b.conductivity - a.conductivity), a.free_path + share * (b.free_path - a.free_path)};
+  return {a.conductivity + share * (b.conductivity - a.conductivity),
+          a.free_path + share * (b.free_path - a.free_path)};
 }
 
 }  // namespace repose

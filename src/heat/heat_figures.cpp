@@ -22,8 +22,8 @@ HeatFigures measure_heat(const Communicator& comm, const MaterialTable& material
     if (is_parked(particles.record[i])) continue;
     stored_here.add(particles.heat[i]);
     const double temperature = heat.state().temperature(particles, i);
-    mass.push_back(sphere_mass(particles.record[i].radius,
-                               materials[static_cast<std::size_t>(particles.material[i])].density));
+    mass.push_back(
+        sphere_mass(particles.record[i].radius, materials[static_cast<std::size_t>(particles.material[i])].density));
     weighted.push_back(mass.back() * temperature);
     lowest = std::min(lowest, temperature);
     highest = std::max(highest, temperature);
@@ -31,9 +31,10 @@ HeatFigures measure_heat(const Communicator& comm, const MaterialTable& material
   const HeatSum stored = sum_of(comm, std::span<const HeatSum>(&stored_here, 1))[0];
   const HeatLedger ledger = sum_of(comm, heat.ledger_here());
   if (!(stored == ledger.inside())) {
-    throw PhysicsError(fmt::format("the particles have {} J of heat instead of the {} J that have come and not gone: some "
-                                   "was lost",
-                                   unit.joules(stored.units()), unit.joules(ledger.inside().units())));
+    throw PhysicsError(
+        fmt::format("the particles have {} J of heat instead of the {} J that have come and not gone: some "
+                    "was lost",
+                    unit.joules(stored.units()), unit.joules(ledger.inside().units())));
   }
   HeatFigures figures;
   figures.stored = unit.joules(stored.units());

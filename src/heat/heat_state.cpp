@@ -12,8 +12,8 @@ double greatest_heat(const Conductance& conductance, const MaterialTable& materi
   double greatest = 0.0;
   insertion.for_each([&](double radius, std::size_t material) {
     const auto solid = static_cast<std::size_t>(materials.solid(static_cast<std::int32_t>(material)));
-    const double heat = sphere_mass(radius, materials[material].density) *
-                        conductance.table(solid).energy(greatest_temperature);
+    const double heat =
+        sphere_mass(radius, materials[material].density) * conductance.table(solid).energy(greatest_temperature);
     greatest = std::max(greatest, heat);
   });
   return greatest;

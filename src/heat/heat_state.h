@@ -39,10 +39,10 @@ class HeatState {
 
  private:
   struct Block {
-    std::int64_t end;     ///< behind the last number
-    double temperature;   ///< K; NaN when the block gives none
+    std::int64_t end;    ///< behind the last number
+    double temperature;  ///< K; NaN when the block gives none
     bool isothermal;
-    double heating;       ///< W/kg
+    double heating;  ///< W/kg
   };
   const Block& block_of(std::int64_t id) const;
   double mass(double radius, std::int32_t material) const;

@@ -47,8 +47,8 @@ double HeatTable::energy(double temperature) const {
 }
 
 double HeatTable::temperature(double energy) const {
-  const auto above = std::upper_bound(points_.begin(), points_.end(), energy,
-                                      [](double e, const Point& p) { return e < p.energy; });
+  const auto above =
+      std::upper_bound(points_.begin(), points_.end(), energy, [](double e, const Point& p) { return e < p.energy; });
   if (above == points_.begin()) return energy / above->specific_heat;
   const Point& a = *(above - 1);
   const double rest = energy - a.energy;

@@ -13,7 +13,7 @@ class HeatTable {
   /// Of a material whose thermal properties are given.
   explicit HeatTable(const MaterialDeck& material);
 
-  double conductivity(double temperature) const;  ///< W/(m K) at K
+  double conductivity(double temperature) const;   ///< W/(m K) at K
   double specific_heat(double temperature) const;  ///< J/(kg K) at K
   /// The integral of the specific heat from 0 K to `temperature` in K, J/kg.
   double energy(double temperature) const;

@@ -124,8 +124,8 @@ void HeatTransfer::exchange_pairs(const HeatScene& scene, const Particles& parti
 std::vector<HeatTransfer::WallFlow> HeatTransfer::wall_flows(const HeatScene& scene, const Particles& particles) {
   std::vector<WallFlow> flows;
   const double share = state_.conductance().reach_share();
-  const bool all_seen = scene.wall_contacts.for_each_near(
-      scene.walls, particles, share, [&](std::size_t i, const WallTouch& touch) {
+  const bool all_seen =
+      scene.wall_contacts.for_each_near(scene.walls, particles, share, [&](std::size_t i, const WallTouch& touch) {
         const auto w = static_cast<std::size_t>(touch.wall);
         if (!walls_[w].enabled) return;
         const WarmBody grain = body(particles, i);
@@ -138,7 +138,8 @@ std::vector<HeatTransfer::WallFlow> HeatTransfer::wall_flows(const HeatScene& sc
         flows.push_back({static_cast<std::int32_t>(i), touch.wall, conductance});
         note_conductance(i, conductance, scene.step);
       });
-  if (!all_seen) note_fault(0, "more parts of walls are near a particle than can be told apart; heat.max_gap is too wide");
+  if (!all_seen)
+    note_fault(0, "more parts of walls are near a particle than can be told apart; heat.max_gap is too wide");
   return flows;
 }
 

@@ -84,10 +84,10 @@ class HeatTransfer {
   HeatLedger ledger_;
   std::vector<double> wall_temperature_;
   // While a thermal step is made:
-  std::vector<double> temperature_;          ///< of all particles, K
-  std::vector<std::int64_t> gain_;           ///< of the owned ones, units
-  std::vector<double> capacity_;             ///< of the owned ones, J/K
-  std::vector<std::int64_t> levelled_;       ///< the same: share by which the step levels it with its surroundings, 2^-48
+  std::vector<double> temperature_;     ///< of all particles, K
+  std::vector<std::int64_t> gain_;      ///< of the owned ones, units
+  std::vector<double> capacity_;        ///< of the owned ones, J/K
+  std::vector<std::int64_t> levelled_;  ///< the same: share by which the step levels it with its surroundings, 2^-48
   std::optional<HeatFault> fault_;
 };
 

@@ -78,8 +78,7 @@ NewParticles parse_snapshot(const std::string& bytes, const std::string& file,
     particles.material.push_back(indices[m]);
   }
   if (particles.velocity.size() != count || particles.spin.size() != count || particles.radius.size() != count ||
-      particles.material.size() != count ||
-      (!particles.temperature.empty() && particles.temperature.size() != count)) {
+      particles.material.size() != count || (!particles.temperature.empty() && particles.temperature.size() != count)) {
     throw FileError(fmt::format("{}: the arrays of /particles differ in length", file));
   }
   if (count == 0) throw DeckError(fmt::format("{}: the snapshot holds no particles", file));

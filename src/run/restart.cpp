@@ -112,8 +112,7 @@ RunPosition restore(FoundCheckpoint found, Simulation& simulation, Recorder& rec
     if (simulation.heat() != nullptr) reader("heat", heat);
     reader("recorder", recorder);
   });
-  simulation.restore(std::move(found.checkpoint.particles), std::move(found.checkpoint.memory), left,
-                     heat);
+  simulation.restore(std::move(found.checkpoint.particles), std::move(found.checkpoint.memory), left, heat);
   if (hash_of(simulation) != found.checkpoint.header.state_hash) {
     throw FileError(fmt::format("{}: does not give the state it was written from", found.path));
   }

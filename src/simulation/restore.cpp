@@ -62,8 +62,7 @@ void check_fit(const Simulation& simulation, const Particles& particles, const C
 
 }  // namespace
 
-void Simulation::restore(Particles particles, ContactMemory memory, const ExitCount& left,
-                         const HeatLedger& heat) {
+void Simulation::restore(Particles particles, ContactMemory memory, const ExitCount& left, const HeatLedger& heat) {
   agree_after(comm_, [&] { check_fit(*this, particles, memory, left); });
   scene_.place(time_step_.step);
   particles.periodic = particles_.periodic;

@@ -83,7 +83,8 @@ class Simulation {
   }
   /// Collective. Once describe_state has been read, replaces everything else by what the ranks bring of another
   /// simulation of the same deck: particles with their force sums, by any rank, what their contacts remember, what had
-  /// left all ranks, and where their heat had come from. The next steps give the same bits as those of the other simulation.
+  /// left all ranks, and where their heat had come from. The next steps give the same bits as those of the other
+  /// simulation.
   void restore(Particles particles, ContactMemory memory, const ExitCount& left, const HeatLedger& heat = {});
 
   const Communicator& comm() const { return comm_; }

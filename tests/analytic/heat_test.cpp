@@ -46,8 +46,8 @@ class WarmScene {
 
   WarmScene(Deck deck, const std::vector<Vec3>& centres, const std::vector<double>& temperatures,
             const Change& change = {})
-      : comm_(MPI_COMM_WORLD), simulation_(comm_, with_blocks(std::move(deck), temperatures, change), reader(centres),
-                                           best_vector_level()) {}
+      : comm_(MPI_COMM_WORLD),
+        simulation_(comm_, with_blocks(std::move(deck), temperatures, change), reader(centres), best_vector_level()) {}
 
   Simulation& simulation() { return simulation_; }
   /// Steps of one thermal step each, in a phase that stands still.
@@ -89,7 +89,8 @@ class WarmScene {
 /// Centres of a row along x whose surfaces are `gap` m apart; below 0 they overlap.
 std::vector<Vec3> row(std::size_t count, double gap) {
   std::vector<Vec3> centres;
-  for (std::size_t i = 0; i < count; ++i) centres.push_back({static_cast<double>(i) * (2.0 * radius + gap), 0.0, radius});
+  for (std::size_t i = 0; i < count; ++i)
+    centres.push_back({static_cast<double>(i) * (2.0 * radius + gap), 0.0, radius});
   return centres;
 }
 
@@ -255,8 +256,8 @@ TEST(Heat, TwoGrainsApartExchangeByGasAndRadiationAsTheNetworkHasIt) {
     const GrainPair pair{.radius_1 = radius, .radius_2 = radius, .conductivity_1 = k, .conductivity_2 = k, .gap = gap};
     const Gas gas = air_at(300.0, 101325.0);
     const double h = radiates ? 4.0 * 5.670374419e-8 * 300.0 * 300.0 * 300.0 / (2.0 / 0.8 - 1.0) : 0.0;
-    const double expected =
-        gap_conductance(pair, {.conductivity = gas.conductivity, .free_path = modified_free_path(gas), .radiation = h}, 0.4);
+    const double expected = gap_conductance(
+        pair, {.conductivity = gas.conductivity, .free_path = modified_free_path(gas), .radiation = h}, 0.4);
     EXPECT_NEAR(flow / (2.0 * expected), 1.0, 1e-7);
   }
 }
@@ -270,7 +271,8 @@ TEST(Heat, AThermalStepThatIsTooLongIsNamed) {
     scene.simulation().check_guards();
     FAIL() << "no guard was hit";
   } catch (const PhysicsError& error) {
-    EXPECT_NE(std::string(error.what()).find("make heat.every or time.step smaller"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("make heat.every or time.step smaller"), std::string::npos)
+        << error.what();
   }
 }
 

@@ -1,7 +1,6 @@
-#include "heat/heat_figures.h"
-
 #include <fmt/core.h>
 
+#include "heat/heat_figures.h"
 #include "run/measurements/measurement.h"
 
 namespace repose {

@@ -8,8 +8,9 @@ namespace repose {
 
 const std::vector<MeasurementKind>& measurement_kinds() {
   static const std::vector<MeasurementKind> kinds = {
-      discharge_measurement(),      angle_of_repose_measurement(), scattering_measurement(),
-      tilt_onset_measurement(),     surface_angle_measurement(),   bulk_density_measurement(),
+      discharge_measurement(),      angle_of_repose_measurement(),
+      scattering_measurement(),     tilt_onset_measurement(),
+      surface_angle_measurement(),  bulk_density_measurement(),
       retained_slope_measurement(), heat_measurement(),
   };
   return kinds;

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "deck/read_described.h"
 #include "deck/key.h"
+#include "deck/read_described.h"
 #include "heat/air.h"
 
 namespace repose::thermal {

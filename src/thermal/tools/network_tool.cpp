@@ -7,10 +7,10 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "heat/gap_conductance.h"
 #include "output/snapshot_reader.h"
 #include "scene/insertion/particle_csv.h"
 #include "thermal/beds/bed_conductivity.h"
-#include "heat/gap_conductance.h"
 #include "thermal/beds/network.h"
 #include "thermal/beds/temperatures.h"
 #include "thermal/tool_deck.h"

@@ -28,6 +28,10 @@ void check_table(const std::string& section, const HeatTableDeck& table, DeckErr
 void check_material(const std::string& section, const MaterialDeck& material, const HeatDeck& heat,
                     DeckErrors& errors) {
   if (material.heat_table.enabled) check_table(section + ".heat_table", material.heat_table, errors);
+  if (material.heat_table.enabled && (is_given(material.conductivity) || is_given(material.specific_heat))) {
+    errors.add(section + ".heat_table",
+               "there is a heat_table beside \"conductivity\" or \"specific_heat\", which it replaces; keep one");
+  }
   if (!heat.enabled) return;
   const auto check_given = [&](const char* key, bool is_there, const char* why) {
     if (!is_there) errors.add(section + "." + key, fmt::format("\"{}\" is missing; {} needs it", key, why));

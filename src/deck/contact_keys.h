@@ -29,16 +29,15 @@ void describe(V& v, MaterialDeck& m) {
   v("youngs_modulus", m.youngs_modulus, Unit::pascal, above(0), required, "Young's modulus");
   v("poisson_ratio", m.poisson_ratio, Unit::none, from_to_below(0, 0.5), required, "Poisson's ratio");
   v("density", m.density, Unit::density, above(0), required, "density of the solid");
-  v.section("heat_table", m.heat_table, optional, "thermal properties that depend on temperature");
-  const bool is_constant = !m.heat_table.enabled;
-  v("conductivity", m.conductivity, Unit::conductivity, above(0),
-    optional_else("none; [heat] needs it").when(is_constant, "no heat_table"), "thermal conductivity of the solid");
+  v("conductivity", m.conductivity, Unit::conductivity, above(0), optional_else("none; [heat] needs it or heat_table"),
+    "thermal conductivity of the solid");
   v("specific_heat", m.specific_heat, Unit::specific_heat, above(0),
-    optional_else("none; [heat] needs it").when(is_constant, "no heat_table"), "of the solid");
+    optional_else("none; [heat] needs it or heat_table"), "of the solid");
   v("emissivity", m.emissivity, Unit::none, above_to(0, 1), optional_else("none; heat.radiation needs it"),
     "of the surface");
   v("stiffness_ratio", m.stiffness_ratio, Unit::none, above_to(0, 1), optional,
     "simulated over real Young's modulus: contacts conduct as if they were as wide as the real ones");
+  v.section("heat_table", m.heat_table, optional, "thermal properties that depend on temperature");
 }
 
 /// The numbers of a pair of materials; the contact law sees them as they are (PairParameters).

@@ -262,6 +262,81 @@ TEST(Heat, TwoGrainsApartExchangeByGasAndRadiationAsTheNetworkHasIt) {
   }
 }
 
+/// A column of 40 grains between two walls, whose contacts conduct twice as well as those of the grains: as if the
+/// walls were half a spacing away.
+class Column {
+ public:
+  static constexpr std::size_t layers = 40;
+  static constexpr double k = 2.0, c = 800.0, overlap = 1e-6;
+  static constexpr double spacing = 2.0 * radius - overlap;
+
+  Column() : scene_(deck(), row(layers, -overlap), std::vector<double>(layers, 300.0)) {}
+
+  static double conductance() { return 2.0 * k * std::sqrt(0.5 * radius * overlap); }
+  static double capacity() { return sphere_mass(radius, density) * c; }
+  static double thermal_step() { return 1000e-6; }
+  WarmScene& scene() { return scene_; }
+
+ private:
+  static Deck deck() {
+    Deck deck = still_deck(k, c, 1e-6);
+    deck.heat.every = 1000;
+    const double wall = radius - 2.0 * overlap;
+    for (const auto& [x, temperature] : {std::pair(-wall, 500.0), std::pair((layers - 1) * spacing + wall, 300.0)}) {
+      WallDeck plane = floor_at(0.0);
+      plane.name = temperature > 400.0 ? "hot" : "cold";
+      plane.point = {x, 0.0, 0.0};
+      plane.normal = {1.0, 0.0, 0.0};
+      plane.heat.enabled = true;
+      plane.heat.temperature = temperature;
+      deck.walls.push_back(plane);
+    }
+    return deck;
+  }
+
+  WarmScene scene_;
+};
+
+TEST(Heat, AColumnWarmsUpByTheDiffusionEquation) {
+  Column column;
+  const double rate = Column::conductance() / Column::capacity();  // diffusivity over the spacing squared, 1/s
+  const double length = Column::layers;                            // in spacings
+  const double tenth = 0.1 * length * length / rate;               // s
+  ASSERT_LT(rate * Column::thermal_step(), 0.05);
+  const auto steps = static_cast<std::int64_t>(tenth / Column::thermal_step());
+  column.scene().rest(steps);
+  const double time = static_cast<double>(steps) * Column::thermal_step();
+  double worst = 0.0;
+  for (std::size_t i = 0; i < Column::layers; ++i) {
+    const double x = (static_cast<double>(i) + 0.5) / length;
+    double expected = 1.0 - x;
+    for (int n = 1; n < 60; ++n) {
+      const double wave = n * pi;
+      expected -= 2.0 / wave * std::sin(wave * x) * std::exp(-wave * wave * rate * time / (length * length));
+    }
+    const double found = (column.scene().temperature(static_cast<std::int64_t>(i)) - 300.0) / 200.0;
+    worst = std::max(worst, std::abs(found - expected));
+  }
+  EXPECT_LT(worst, 0.01);
+  std::cout << "  greatest deviation, share of the difference of the walls: " << worst << "\n";
+}
+
+TEST(Heat, AColumnAtRestConductsAsItsContactsInARow) {
+  Column column;
+  const double relaxation = Column::layers * Column::layers / (pi * pi) * Column::capacity() / Column::conductance();
+  column.scene().rest(static_cast<std::int64_t>(26.0 * relaxation / Column::thermal_step()));
+  const HeatTransfer& heat = *column.scene().simulation().heat();
+  const auto given = [&](std::size_t wall) {
+    return heat.state().unit().joules(heat.ledger_here().walls[wall].units());
+  };
+  const double hot = given(0), cold = given(1);
+  constexpr std::int64_t steps = 1000;
+  column.scene().rest(steps);
+  const double expected = 200.0 * Column::conductance() / Column::layers * steps * Column::thermal_step();
+  EXPECT_NEAR((given(0) - hot) / expected, 1.0, 1e-9);
+  EXPECT_NEAR((cold - given(1)) / expected, 1.0, 1e-9);
+}
+
 TEST(Heat, AThermalStepThatIsTooLongIsNamed) {
   Deck deck = still_deck(2000.0, 800.0, 1e-6);
   deck.heat.every = 10000;

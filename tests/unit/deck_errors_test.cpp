@@ -440,5 +440,33 @@ TEST(DeckErrors, AnOverrideThatOpensASectionOwesItsKeys) {
             "orifice; particles with their centre below it are discharged)");
 }
 
+TEST(DeckErrors, HeatAndWhatItNeeds) {
+  const auto says = [](const std::vector<std::string>& overrides, const std::string& words) {
+    EXPECT_NE(message_of(example_deck, overrides).find(words), std::string::npos)
+        << message_of(example_deck, overrides);
+  };
+  says({"heat.every=1"}, "\"conductivity\" is missing; [heat] needs it");
+  says({"particles.0.temperature=300"}, "there is no [heat], without which nothing has a temperature");
+  says({"phase.1.mechanics=false"}, "there is no [heat]");
+  std::vector<std::string> hot = {"heat.every=1"};
+  for (const char* material : {"material.0", "material.1"}) {
+    hot.push_back(std::string(material) + ".conductivity=2");
+    hot.push_back(std::string(material) + ".specific_heat=800");
+  }
+  EXPECT_EQ(message_of(example_deck, hot), "no error");
+  const auto with_hot = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = hot;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  says(with_hot({"heat.radiation=true"}), "\"emissivity\" is missing; heat.radiation needs it");
+  says(with_hot({"wall.0.heat={type='temperature', temperature=500, times=[0, 1], factors=[1]}"}),
+       "1 values for 2 times; give one each");
+  says(with_hot({"wall.0.heat={type='temperature', temperature=500, times=[1, 0], factors=[1, 1]}"}),
+       "\"times\" must rise");
+  says(with_hot({"material.0.heat_table={temperatures=[300], conductivities=[1], specific_heats=[800]}"}),
+       "which it replaces; keep one");
+}
+
 }  // namespace
 }  // namespace repose

@@ -85,11 +85,11 @@ void Simulation::insert(const NewParticles& all) {
 
 void Simulation::advance(std::int64_t steps) {
   const double dt = time_step_.step;
-  for (std::int64_t k = 0; k < steps; ++k) {
+  for (std::int64_t k = 0; k < steps;) {
     if (moves_) {
-      move(k, dt);
+      move(k++, dt);
     } else {
-      stand_still();
+      k += stand_still(steps - k);
     }
     if (heat_ && steps_ % heat_->every() == 0) advance_heat();
   }
@@ -108,12 +108,17 @@ void Simulation::begin_phase(const std::string& name) {
   moves_ = phase == deck_.phases.end() || phase->mechanics;
 }
 
-/// A step in which nothing moves.
-void Simulation::stand_still() {
-  ++steps_;
-  if (steps_ != pouring_.next_step() || alarm_ || particles_.owned == 0) return;
-  alarm_ = alarm_at(guard_view(steps_), 0, particles_.position(0),
-                    "particles are to be poured in a phase without mechanics, where none can enter");
+/// At most so many steps in which nothing moves, up to the next thermal one. How many it were.
+std::int64_t Simulation::stand_still(std::int64_t most) {
+  const std::int64_t to_heat = heat_->every() - steps_ % heat_->every();
+  const std::int64_t steps = std::min(most, to_heat);
+  const std::int64_t pours = pouring_.next_step();
+  if (pours > steps_ && pours <= steps_ + steps && !alarm_ && particles_.owned > 0) {
+    alarm_ = alarm_at(guard_view(pours), 0, particles_.position(0),
+                      "particles are to be poured in a phase without mechanics, where none can enter");
+  }
+  steps_ += steps;
+  return steps;
 }
 
 /// The k-th step of a call of advance.

@@ -138,7 +138,7 @@ class Simulation {
   void renew_lists(ListState state);
   void select_near();
   void move(std::int64_t k, double dt);
-  void stand_still();
+  std::int64_t stand_still(std::int64_t most);
   void advance_heat();
   void evaluate_forces(double dt);
   bool evaluate_group(PairGroup& group, double dt);

@@ -165,7 +165,7 @@ class Photographs(unittest.TestCase):
 class OneState(Photographs):
     """What one state can show, beside; the largest pictures are left to the slow test."""
 
-    most_megapixels = 8.0
+    most_megapixels = 6.0
 
     def test_several_photographs_and_a_calibration(self):
         calibration = os.path.join(self.lab.directory, "calibration.toml")

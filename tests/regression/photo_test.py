@@ -6,6 +6,7 @@ of the 13 are no heaps but layers two or three grains high; `repose photo pile` 
 """
 
 import contextlib
+import copy
 import json
 import os
 import sys
@@ -146,6 +147,25 @@ def compare_plate(lab, camera):
     return line, abs(count - exact) <= bound and abs(found_base / base - 1.0) <= BASE
 
 
+def crowded(lab):
+    """The same plate with a neighbour that touches put beside every second grain out of the pile, where there is room."""
+    more = copy.copy(lab)
+    rng = np.random.default_rng(3)
+    beyond = 0.5 * lab.exact()["scattering"]["base_diameter_m"] + BEYOND
+    centres, radii = list(lab.centres), list(lab.radii)
+    for i in np.nonzero(np.hypot(lab.centres[:, 0], lab.centres[:, 1]) >= beyond + 4 * lab.radii)[0][::2]:
+        direction = rng.uniform(0, 2 * np.pi)
+        place = lab.centres[i] + 2.02 * lab.radii[i] * np.array([np.cos(direction), np.sin(direction), 0.0])
+        free = np.hypot(*(np.array(centres)[:, :2] - place[:2]).T) > 2.01 * lab.radii[i]
+        if free.all() and np.hypot(*place[:2]) > beyond:
+            centres.append(place)
+            radii.append(lab.radii[i])
+    more.centres, more.radii = np.array(centres), np.array(radii)
+    more.list = os.path.join(lab.directory, "crowded.csv")
+    np.savetxt(more.list, np.column_stack([more.centres, more.radii]), delimiter=",", header="x,y,z,radius", comments="")
+    return more
+
+
 class Photographs(unittest.TestCase):
     lab = None
     most_megapixels = 24.0
@@ -166,6 +186,13 @@ class OneState(Photographs):
     """What one state can show, beside; the largest pictures are left to the slow test."""
 
     most_megapixels = 6.0
+
+    def test_more_than_a_fifth_of_the_grains_touch(self):
+        for camera in (TOP[0], replace(TOP[3], megapixels=6.0)):
+            line, agrees = compare_plate(crowded(self.lab), camera)
+            print(line, flush=True)
+            self.assertGreater(int(line.split("grains, ")[1].split(" %")[0]), 20, line)
+            self.assertTrue(agrees, line)
 
     def test_several_photographs_and_a_calibration(self):
         calibration = os.path.join(self.lab.directory, "calibration.toml")

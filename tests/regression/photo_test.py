@@ -1,7 +1,7 @@
 """Photographs of simulated piles by the ruler of the simulation: photo_test.py EXECUTABLE MPIEXEC SOURCE_DIR [slow [FOLDER]].
 
 A ray caster (photographer.py) photographs states at rest; what `repose photo` finds in the pictures is compared with what
-`repose measure` says of the grains. `slow`: 52 pictures from the side and 52 from above of 13 states; else 5 of one. Three
+`repose measure` says of the grains. `slow`: 52 pictures from the side and 52 from above of 13 states; else some of one. Three
 of the 13 are no heaps but layers two or three grains high; `repose photo pile` may refuse those, by a line that says so.
 """
 

@@ -38,7 +38,7 @@ conductivity = 1.4
 specific_heat = 800.0
 emissivity = 0.9
 [heat]
-every = 7
+every = 41
 gas = "air"
 radiation = true
 max_gap = 0.5

@@ -187,13 +187,9 @@ void WallContacts::find_contacts(std::span<const Wall> walls, const Particles& p
     const std::span<const WallContact> before(before_.data() + first_before, next - first_before);
 
     const Vec3 centre = particles.position(static_cast<std::size_t>(candidate.particle));
-    touches.clear();
-    for (std::int32_t k = 0; k < candidate.walls; ++k) {
-      const std::int32_t w = near_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
-      const Wall& wall = walls[static_cast<std::size_t>(w)];
-      if (wall.present) find_touches(wall, w, centre, p.radius + adhesion_range_, touches);
-    }
-    if (touches.size() > 1) resolve_touches(touches, p.radius);
+    const auto* first = &near_walls_[static_cast<std::size_t>(candidate.first_wall)];
+    find_touches_of(walls, {first, static_cast<std::size_t>(candidate.walls)}, {centre, p.radius},
+                    p.radius + adhesion_range_, touches);
     alarms.too_many += touches.overflowed() ? 1 : 0;
     for (int t = 0; t < touches.size(); ++t) {
       const WallTouch& touch = touches[t];

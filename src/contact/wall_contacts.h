@@ -21,6 +21,24 @@ struct WallAlarms : ContactAlarms {
   bool any() const { return ContactAlarms::any() || too_many > 0; }
 };
 
+/// A sphere as walls see it.
+struct TouchingSphere {
+  Vec3 centre;
+  double radius;  ///< m
+};
+
+/// Replaces `touches` by those of a sphere with what is nearer than `reach` (m) to its centre of the present ones of
+/// the walls that `chosen` names.
+inline void find_touches_of(std::span<const Wall> walls, std::span<const std::int32_t> chosen,
+                            const TouchingSphere& sphere, double reach, TouchBuffer& touches) {
+  touches.clear();
+  for (const std::int32_t w : chosen) {
+    const Wall& wall = walls[static_cast<std::size_t>(w)];
+    if (wall.present) find_touches(wall, w, sphere.centre, reach, touches);
+  }
+  if (touches.size() > 1) resolve_touches(touches, sphere.radius);
+}
+
 /// The contacts of the owned particles with walls.
 class WallContacts {
  public:
@@ -89,15 +107,9 @@ bool WallContacts::for_each_near(std::span<const Wall> walls, const Particles& p
     const auto i = static_cast<std::size_t>(candidate.particle);
     const ParticleRecord& p = particles.record[i];
     if (is_parked(p)) continue;
-    const Vec3 centre = particles.position(i);
-    const double reach = p.radius * (1.0 + share);
-    touches.clear();
-    for (std::int32_t k = 0; k < candidate.walls; ++k) {
-      const std::int32_t w = candidate_walls_[static_cast<std::size_t>(candidate.first_wall + k)];
-      const Wall& wall = walls[static_cast<std::size_t>(w)];
-      if (wall.present) find_touches(wall, w, centre, reach, touches);
-    }
-    if (touches.size() > 1) resolve_touches(touches, p.radius);
+    const auto* first = &candidate_walls_[static_cast<std::size_t>(candidate.first_wall)];
+    find_touches_of(walls, {first, static_cast<std::size_t>(candidate.walls)}, {particles.position(i), p.radius},
+                    p.radius * (1.0 + share), touches);
     all_seen = all_seen && !touches.overflowed();
     for (const WallTouch& touch : touches.touches()) {
       if (touch.superseded_by < 0) visit(i, touch);

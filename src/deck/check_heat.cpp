@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -28,7 +29,7 @@ void check_table(const std::string& section, const HeatTableDeck& table, DeckErr
 void check_material(const std::string& section, const MaterialDeck& material, const HeatDeck& heat,
                     DeckErrors& errors) {
   if (material.heat_table.enabled) check_table(section + ".heat_table", material.heat_table, errors);
-  if (material.heat_table.enabled && (is_given(material.conductivity) || is_given(material.specific_heat))) {
+  if (material.heat_table.enabled && (!std::isnan(material.conductivity) || !std::isnan(material.specific_heat))) {
     errors.add(section + ".heat_table",
                "there is a heat_table beside \"conductivity\" or \"specific_heat\", which it replaces; keep one");
   }
@@ -36,9 +37,9 @@ void check_material(const std::string& section, const MaterialDeck& material, co
   const auto check_given = [&](const char* key, bool is_there, const char* why) {
     if (!is_there) errors.add(section + "." + key, fmt::format("\"{}\" is missing; {} needs it", key, why));
   };
-  check_given("conductivity", material.heat_table.enabled || is_given(material.conductivity), "[heat]");
-  check_given("specific_heat", material.heat_table.enabled || is_given(material.specific_heat), "[heat]");
-  if (heat.radiation) check_given("emissivity", is_given(material.emissivity), "heat.radiation");
+  check_given("conductivity", material.heat_table.enabled || !std::isnan(material.conductivity), "[heat]");
+  check_given("specific_heat", material.heat_table.enabled || !std::isnan(material.specific_heat), "[heat]");
+  if (heat.radiation) check_given("emissivity", !std::isnan(material.emissivity), "heat.radiation");
 }
 
 void check_wall(const std::string& section, const WallHeatDeck& wall, DeckErrors& errors) {
@@ -67,7 +68,7 @@ void check_heat(const Deck& deck, DeckErrors& errors) {
   }
   for (std::size_t i = 0; i < deck.particles.size(); ++i) {
     const ParticlesDeck& block = deck.particles[i];
-    check_on(fmt::format("particles.{}.temperature", i), is_given(block.temperature));
+    check_on(fmt::format("particles.{}.temperature", i), !std::isnan(block.temperature));
     check_on(fmt::format("particles.{}.isothermal", i), block.isothermal);
     check_on(fmt::format("particles.{}.heating", i), block.heating != 0.0);
   }

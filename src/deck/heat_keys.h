@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -92,7 +91,5 @@ void describe(V& v, WallHeatDeck& w) {
   v("factors", w.factors, Unit::none, at_least(0), required.when(!w.times.empty(), "times"),
     "of temperature or power at each of the times, linear between them and constant beyond");
 }
-
-inline bool is_given(double value) { return !std::isnan(value); }
 
 }  // namespace repose

@@ -175,18 +175,19 @@ void pack_motion(std::span<const ParticleRecord> records, std::span<const std::s
   for (std::size_t k = 0; k < shift.size(); ++k) buffer[k].position += shift[k];
 }
 
-void GhostExchange::copy_own_images() {
+template <class T>
+void GhostExchange::copy_own_images(std::span<const T> from, std::span<T> to) const {
   const auto own = [&](const Link& link) { return !is_remote(link); };
-  const auto from = std::find_if(sends_.begin(), sends_.end(), own);
-  const auto to = std::find_if(receives_.begin(), receives_.end(), own);
-  if (from == sends_.end() || to == receives_.end()) return;
-  std::copy_n(&send_buffer_[from->begin], from->count, &receive_buffer_[to->begin]);
+  const auto sent = std::find_if(sends_.begin(), sends_.end(), own);
+  const auto received = std::find_if(receives_.begin(), receives_.end(), own);
+  if (sent == sends_.end() || received == receives_.end()) return;
+  std::copy_n(&from[sent->begin], sent->count, &to[received->begin]);
 }
 
 void GhostExchange::start(const Particles& particles) {
   if (!is_open_) open_requests();
   pack_motion(particles.record, send_index_, send_shift_, send_buffer_);
-  copy_own_images();
+  copy_own_images<Motion>(send_buffer_, receive_buffer_);
   if (requests_.empty()) return;
   check_mpi(MPI_Startall(static_cast<int>(requests_.size()), requests_.data()), "MPI_Startall");
   comm_.count_sent(messages_, bytes_);
@@ -223,16 +224,13 @@ void GhostExchange::share(std::size_t owned, std::span<double> values) const {
               "MPI_Irecv");
   }
   for (const Link& link : sends_) {
-    if (is_remote(link)) {
-      check_mpi(MPI_Isend(&send[link.begin], static_cast<int>(link.count), MPI_DOUBLE, link.rank, tag_of_values,
-                          comm_.handle(), &requests.emplace_back(MPI_REQUEST_NULL)),
-                "MPI_Isend");
-      comm_.count_sent(1, static_cast<std::int64_t>(link.count * sizeof(double)));
-      continue;
-    }
-    const auto own = std::find_if(receives_.begin(), receives_.end(), [&](const Link& r) { return !is_remote(r); });
-    if (own != receives_.end()) std::copy_n(&send[link.begin], link.count, &ghosts[own->begin]);
+    if (!is_remote(link)) continue;
+    check_mpi(MPI_Isend(&send[link.begin], static_cast<int>(link.count), MPI_DOUBLE, link.rank, tag_of_values,
+                        comm_.handle(), &requests.emplace_back(MPI_REQUEST_NULL)),
+              "MPI_Isend");
+    comm_.count_sent(1, static_cast<std::int64_t>(link.count * sizeof(double)));
   }
+  copy_own_images<double>(send, ghosts);
   if (requests.empty()) return;
   check_mpi(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
 }

@@ -58,7 +58,9 @@ class GhostExchange {
   void keep_sends(const std::vector<std::vector<char>>& kept);
   bool is_remote(const Link& link) const { return link.rank != comm_.rank(); }
   void open_requests();
-  void copy_own_images();
+  /// Of what this rank sends to itself to where it receives it.
+  template <class T>
+  void copy_own_images(std::span<const T> from, std::span<T> to) const;
   void free_requests();
 
   const Communicator& comm_;

@@ -6,15 +6,6 @@
 #include "base/math.h"
 
 namespace repose {
-namespace {
-
-/// W/K through a contact's circle (m) between solids of conductivities k_1 and k_2.
-double through_circle(ContactConductance model, double k_1, double k_2, double circle) {
-  const double conductance = 4.0 * k_1 * k_2 / (k_1 + k_2) * circle;
-  return model == ContactConductance::hertz ? conductance : std::sqrt(pi) * conductance;
-}
-
-}  // namespace
 
 Conductance::Conductance(const Deck& deck) : deck_(deck.heat) {
   for (const MaterialDeck& m : deck.materials) {
@@ -37,6 +28,12 @@ double Conductance::contact_circle(double r1, double r2, double distance, double
   if (deck_.conductance == ContactConductance::hertz) return std::sqrt(r1 * r2 / (r1 + r2) * overlap) * stiffness_root;
   const double product = (distance - r1 - r2) * (distance + r1 - r2) * (distance - r1 + r2) * (distance + r1 + r2);
   return 0.5 * std::sqrt(std::max(0.0, -product)) / distance;
+}
+
+/// W/K through the circle of the contact.
+double Conductance::through_contact(const GrainPair& pair) const {
+  const double conductance = contact_conductance(pair);
+  return deck_.conductance == ContactConductance::hertz ? conductance : std::sqrt(pi) * conductance;
 }
 
 /// What is in the gap of two bodies, at their mean temperature.
@@ -62,8 +59,7 @@ double Conductance::of_pair(const WarmBody& first, const WarmBody& second, doubl
                        .conductivity_2 = tables_[second.material].conductivity(second.temperature),
                        .gap = gap,
                        .contact_radius = contact_circle(first.radius, second.radius, distance, root)};
-  const double contact =
-      through_circle(deck_.conductance, pair.conductivity_1, pair.conductivity_2, pair.contact_radius);
+  const double contact = through_contact(pair);
   if (!crosses_gaps(deck_)) return contact;
   return contact + gap_conductance(pair, fill_between(first, second), deck_.porosity);
 }
@@ -72,24 +68,18 @@ double Conductance::of_wall(const WarmBody& grain, const WarmBody& wall, double 
   const double r = grain.radius;
   const double gap = distance - r;
   if (gap > reach_share() * r || (gap >= 0.0 && !crosses_gaps(deck_))) return 0.0;
-  const double k = tables_[grain.material].conductivity(grain.temperature);
-  double circle = 0.0;
-  if (gap < 0.0) {
-    const double root = stiffness_root_[grain.material * tables_.size() + wall.material];
-    const bool is_hertz = deck_.conductance == ContactConductance::hertz;
-    circle = is_hertz ? std::sqrt(r * -gap) * root : std::sqrt((r - distance) * (r + distance));
-  }
-  const double contact =
-      through_circle(deck_.conductance, k, tables_[wall.material].conductivity(wall.temperature), circle);
+  const double root = stiffness_root_[grain.material * tables_.size() + wall.material];
+  GrainPair mirrored{.radius_1 = r,
+                     .radius_2 = r,
+                     .conductivity_1 = tables_[grain.material].conductivity(grain.temperature),
+                     .conductivity_2 = tables_[wall.material].conductivity(wall.temperature),
+                     .gap = 2.0 * gap,
+                     .contact_radius = contact_circle(r, r, 2.0 * distance, root)};
+  const double contact = through_contact(mirrored);
   if (!crosses_gaps(deck_)) return contact;
   // Half of the resistance to the mirror image, which lies across twice the gap: there the free path counts twice and
   // the radiation half.
-  const GrainPair mirrored{.radius_1 = r,
-                           .radius_2 = r,
-                           .conductivity_1 = k,
-                           .conductivity_2 = k,
-                           .gap = 2.0 * gap,
-                           .contact_radius = circle};
+  mirrored.conductivity_2 = mirrored.conductivity_1;
   GapFill fill = fill_between(grain, wall);
   fill.free_path *= 2.0;
   fill.radiation *= 0.5;

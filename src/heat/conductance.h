@@ -37,6 +37,7 @@ class Conductance {
 
  private:
   double contact_circle(double radius_1, double radius_2, double distance, double stiffness_root) const;
+  double through_contact(const GrainPair& pair) const;
   GapFill fill_between(const WarmBody& a, const WarmBody& b) const;
 
   HeatDeck deck_;

@@ -44,7 +44,7 @@ double HeatState::mass(double radius, std::int32_t material) const {
 
 std::int64_t HeatState::entering(std::int64_t id, double radius, std::int32_t material, double in_file) const {
   const double of_block = block_of(id).temperature;
-  const double temperature = is_given(of_block) ? of_block : is_given(in_file) ? in_file : temperature_of_rest_;
+  const double temperature = !std::isnan(of_block) ? of_block : !std::isnan(in_file) ? in_file : temperature_of_rest_;
   const double energy = conductance_.table(solid(material)).energy(temperature);
   return std::llrint(mass(radius, material) * energy * unit_.per_joule());
 }

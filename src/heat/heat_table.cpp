@@ -3,59 +3,63 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interpolate.h"
+
 namespace repose {
+namespace {
 
-HeatTable::HeatTable(const MaterialDeck& material) {
-  const HeatTableDeck& table = material.heat_table;
-  if (table.enabled) {
-    for (std::size_t i = 0; i < table.temperatures.size(); ++i)
-      points_.push_back({table.temperatures[i], table.conductivities[i], table.specific_heats[i]});
-  } else {
-    points_.push_back({1.0, material.conductivity, material.specific_heat});
+/// How many of the rising values are at most x.
+std::size_t up_to(const std::vector<double>& values, double x) {
+  return static_cast<std::size_t>(std::upper_bound(values.begin(), values.end(), x) - values.begin());
+}
+
+}  // namespace
+
+HeatTable::HeatTable(const MaterialDeck& material)
+    : temperatures_(material.heat_table.temperatures),
+      conductivities_(material.heat_table.conductivities),
+      specific_heats_(material.heat_table.specific_heats) {
+  if (!material.heat_table.enabled) {
+    temperatures_ = {1.0};
+    conductivities_ = {material.conductivity};
+    specific_heats_ = {material.specific_heat};
   }
-  points_[0].energy = points_[0].temperature * points_[0].specific_heat;
-  for (std::size_t i = 1; i < points_.size(); ++i) {
-    const Point& before = points_[i - 1];
-    points_[i].energy = before.energy + 0.5 * (before.specific_heat + points_[i].specific_heat) *
-                                            (points_[i].temperature - before.temperature);
+  energies_ = {temperatures_[0] * specific_heats_[0]};
+  for (std::size_t i = 1; i < temperatures_.size(); ++i) {
+    energies_.push_back(energies_[i - 1] + 0.5 * (specific_heats_[i - 1] + specific_heats_[i]) *
+                                               (temperatures_[i] - temperatures_[i - 1]));
   }
 }
 
-double HeatTable::between(double temperature, double Point::*property) const {
-  if (temperature <= points_.front().temperature) return points_.front().*property;
-  if (temperature >= points_.back().temperature) return points_.back().*property;
-  const auto above = std::upper_bound(points_.begin(), points_.end(), temperature,
-                                      [](double t, const Point& p) { return t < p.temperature; });
-  const Point& a = *(above - 1);
-  const double share = (temperature - a.temperature) / (above->temperature - a.temperature);
-  return a.*property + share * ((*above).*property - a.*property);
+double HeatTable::conductivity(double temperature) const {
+  return interpolate(temperatures_, conductivities_, temperature);
 }
 
-double HeatTable::conductivity(double temperature) const { return between(temperature, &Point::conductivity); }
+double HeatTable::specific_heat(double temperature) const {
+  return interpolate(temperatures_, specific_heats_, temperature);
+}
 
-double HeatTable::specific_heat(double temperature) const { return between(temperature, &Point::specific_heat); }
+double HeatTable::slope(std::size_t first) const {
+  return (specific_heats_[first + 1] - specific_heats_[first]) / (temperatures_[first + 1] - temperatures_[first]);
+}
 
 double HeatTable::energy(double temperature) const {
-  const auto above = std::upper_bound(points_.begin(), points_.end(), temperature,
-                                      [](double t, const Point& p) { return t < p.temperature; });
-  if (above == points_.begin()) return temperature * above->specific_heat;
-  const Point& a = *(above - 1);
-  const double way = temperature - a.temperature;
-  if (above == points_.end()) return a.energy + a.specific_heat * way;
-  const double slope = (above->specific_heat - a.specific_heat) / (above->temperature - a.temperature);
-  return a.energy + (a.specific_heat + 0.5 * slope * way) * way;
+  const std::size_t above = up_to(temperatures_, temperature);
+  if (above == 0) return temperature * specific_heats_[0];
+  const std::size_t a = above - 1;
+  const double way = temperature - temperatures_[a];
+  if (above == temperatures_.size()) return energies_[a] + specific_heats_[a] * way;
+  return energies_[a] + (specific_heats_[a] + 0.5 * slope(a) * way) * way;
 }
 
 double HeatTable::temperature(double energy) const {
-  const auto above =
-      std::upper_bound(points_.begin(), points_.end(), energy, [](double e, const Point& p) { return e < p.energy; });
-  if (above == points_.begin()) return energy / above->specific_heat;
-  const Point& a = *(above - 1);
-  const double rest = energy - a.energy;
-  if (above == points_.end()) return a.temperature + rest / a.specific_heat;
-  const double slope = (above->specific_heat - a.specific_heat) / (above->temperature - a.temperature);
-  const double root = std::sqrt(a.specific_heat * a.specific_heat + 2.0 * slope * rest);
-  return a.temperature + 2.0 * rest / (a.specific_heat + root);  // of the two forms, that without a difference
+  const std::size_t above = up_to(energies_, energy);
+  if (above == 0) return energy / specific_heats_[0];
+  const std::size_t a = above - 1;
+  const double rest = energy - energies_[a];
+  if (above == energies_.size()) return temperatures_[a] + rest / specific_heats_[a];
+  const double root = std::sqrt(specific_heats_[a] * specific_heats_[a] + 2.0 * slope(a) * rest);
+  return temperatures_[a] + 2.0 * rest / (specific_heats_[a] + root);  // of the two forms, that without a difference
 }
 
 }  // namespace repose

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "deck/contact_keys.h"
@@ -21,15 +22,13 @@ class HeatTable {
   double temperature(double energy) const;
 
  private:
-  struct Point {
-    double temperature;    ///< K
-    double conductivity;   ///< W/(m K)
-    double specific_heat;  ///< J/(kg K)
-    double energy = 0.0;   ///< J/kg
-  };
-  double between(double temperature, double Point::*property) const;
+  /// Of the specific heat between two points, from the first on: J/(kg K2).
+  double slope(std::size_t first) const;
 
-  std::vector<Point> points_;
+  std::vector<double> temperatures_;    ///< K
+  std::vector<double> conductivities_;  ///< W/(m K)
+  std::vector<double> specific_heats_;  ///< J/(kg K)
+  std::vector<double> energies_;        ///< J/kg
 };
 
 }  // namespace repose

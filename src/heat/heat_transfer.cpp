@@ -6,20 +6,14 @@
 
 #include <fmt/core.h>
 
+#include "base/interpolate.h"
 #include "comm/order_independent_sum.h"
 
 namespace repose {
 namespace {
 
-/// Linear in a table of times, constant beyond; 1 without one.
 double factor_at(const WallHeatDeck& wall, double time) {
-  if (wall.times.empty()) return 1.0;
-  const auto above = std::upper_bound(wall.times.begin(), wall.times.end(), time);
-  const auto k = static_cast<std::size_t>(above - wall.times.begin());
-  if (k == 0) return wall.factors.front();
-  if (above == wall.times.end()) return wall.factors.back();
-  const double share = (time - wall.times[k - 1]) / (wall.times[k] - wall.times[k - 1]);
-  return wall.factors[k - 1] + share * (wall.factors[k] - wall.factors[k - 1]);
+  return wall.times.empty() ? 1.0 : interpolate(wall.times, wall.factors, time);
 }
 
 constexpr int share_bits = 48;
@@ -29,11 +23,9 @@ constexpr double undetermined = std::numeric_limits<double>::quiet_NaN();
 
 HeatTransfer::HeatTransfer(const Deck& deck, const MaterialTable& materials, const Insertion& insertion)
     : state_(deck, materials, insertion), every_(deck.heat.every), ledger_(HeatLedger::none(deck.walls.size())) {
-  for (const WallDeck& wall : deck.walls) {
-    walls_.push_back(wall.heat);
-    const bool is_given = wall.heat.enabled && wall.heat.type == WallHeatType::temperature;
-    wall_temperature_.push_back(is_given ? wall.heat.temperature * factor_at(wall.heat, 0.0) : undetermined);
-  }
+  for (const WallDeck& wall : deck.walls) walls_.push_back(wall.heat);
+  wall_temperature_.assign(walls_.size(), undetermined);
+  set_given_wall_temperatures(0.0);
 }
 
 void HeatTransfer::enter(double temperature, Particles& particles) {
@@ -57,8 +49,9 @@ std::optional<HeatFault> HeatTransfer::advance(const HeatScene& scene, Particles
   levelled_.assign(particles.owned, 0);
   set_temperatures(scene, particles);
   exchange_pairs(scene, particles);
+  set_given_wall_temperatures(scene.time);
   const std::vector<WallFlow> flows = wall_flows(scene, particles);
-  set_wall_temperatures(scene, flows);
+  set_other_wall_temperatures(scene, flows);
   exchange_walls(scene, flows);
   add_sources(scene, particles);
   settle(scene, particles);
@@ -130,8 +123,7 @@ std::vector<HeatTransfer::WallFlow> HeatTransfer::wall_flows(const HeatScene& sc
         if (!walls_[w].enabled) return;
         const WarmBody grain = body(particles, i);
         const bool is_known = walls_[w].type == WallHeatType::temperature;
-        const double temperature =
-            is_known ? walls_[w].temperature * factor_at(walls_[w], scene.time) : grain.temperature;
+        const double temperature = is_known ? wall_temperature_[w] : grain.temperature;
         const WarmBody wall{0.0, temperature, static_cast<std::size_t>(scene.walls[w].material)};
         const double conductance = state_.conductance().of_wall(grain, wall, touch.distance);
         if (conductance == 0.0) return;
@@ -143,17 +135,20 @@ std::vector<HeatTransfer::WallFlow> HeatTransfer::wall_flows(const HeatScene& sc
   return flows;
 }
 
+void HeatTransfer::set_given_wall_temperatures(double time) {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    if (!walls_[w].enabled || walls_[w].type != WallHeatType::temperature) continue;
+    wall_temperature_[w] = walls_[w].temperature * factor_at(walls_[w], time);
+  }
+}
+
 /// Those of walls without heat capacity follow from the balance: power + coefficient (outside - wall) = sum of
 /// conductance (wall - grain).
-void HeatTransfer::set_wall_temperatures(const HeatScene& scene, std::span<const WallFlow> flows) {
+void HeatTransfer::set_other_wall_temperatures(const HeatScene& scene, std::span<const WallFlow> flows) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const WallHeatDeck& wall = walls_[w];
-    if (!wall.enabled) continue;
+    if (!wall.enabled || wall.type == WallHeatType::temperature) continue;
     const double factor = factor_at(wall, scene.time);
-    if (wall.type == WallHeatType::temperature) {
-      wall_temperature_[w] = wall.temperature * factor;
-      continue;
-    }
     std::vector<double> conductance, weighted;
     for (const WallFlow& f : flows) {
       if (static_cast<std::size_t>(f.wall) != w) continue;

@@ -70,7 +70,8 @@ class HeatTransfer {
   void set_temperatures(const HeatScene& scene, const Particles& particles);
   void exchange_pairs(const HeatScene& scene, const Particles& particles);
   std::vector<WallFlow> wall_flows(const HeatScene& scene, const Particles& particles);
-  void set_wall_temperatures(const HeatScene& scene, std::span<const WallFlow> flows);
+  void set_given_wall_temperatures(double time);
+  void set_other_wall_temperatures(const HeatScene& scene, std::span<const WallFlow> flows);
   void exchange_walls(const HeatScene& scene, std::span<const WallFlow> flows);
   void add_sources(const HeatScene& scene, const Particles& particles);
   void settle(const HeatScene& scene, Particles& particles);

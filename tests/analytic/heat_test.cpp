@@ -12,7 +12,7 @@
 #include "heat/gap_conductance.h"
 #include "heat/gas.h"
 #include "scene/particles/sphere_mass.h"
-#include "support/scenes.h"
+#include "support/liggghts_trace.h"
 
 namespace repose::test {
 namespace {
@@ -98,15 +98,7 @@ TEST(Heat, FollowsThreeSpheresOfLiggghts) {
   const std::string base = std::string(REPOSE_SOURCE_DIR) + "/tests/reference/liggghts_models/heat_three_spheres";
   std::ifstream parameters(base + ".json");
   const nlohmann::json j = nlohmann::json::parse(parameters);
-  Coefficients c;
-  c.youngs_modulus = j["youngs_modulus"];
-  c.restitution_pp = j["restitution_pp"];
-  c.restitution_pw = j["restitution_pw"];
-  c.sliding_pp = j["sliding_pp"];
-  c.sliding_pw = j["sliding_pw"];
-  c.rolling_pp = j["rolling_pp"];
-  c.rolling_pw = j["rolling_pw"];
-  Deck deck = bare_deck(c, j["dt"]);
+  Deck deck = bare_deck(coefficients_of(j), j["dt"]);
   deck.gravity = {0.0, 0.0, -9.81};
   deck.walls.push_back(floor_at(0.0));
   deck.heat.enabled = true;

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "support/scenes.h"
+#include "support/liggghts_trace.h"
 
 namespace repose::test {
 namespace {
@@ -78,17 +78,7 @@ void set_model(const nlohmann::json& j, Deck& deck) {
 }
 
 Deck deck_of(const nlohmann::json& j) {
-  Coefficients c;
-  c.youngs_modulus = j["youngs_modulus"];
-  c.poisson_ratio = j["poisson_ratio"];
-  c.density = j["particles"][0]["rho"];
-  c.restitution_pp = j["restitution_pp"];
-  c.restitution_pw = j["restitution_pw"];
-  c.sliding_pp = j["sliding_pp"];
-  c.sliding_pw = j["sliding_pw"];
-  c.rolling_pp = j["rolling_pp"];
-  c.rolling_pw = j["rolling_pw"];
-  Deck deck = bare_deck(c, j["dt"]);
+  Deck deck = bare_deck(coefficients_of(j), j["dt"]);
   set_model(j, deck);
   deck.gravity = vector_of(j["gravity"]);
   if (!j["wall_plane_z"].is_null()) deck.walls.push_back(floor_at(j["wall_plane_z"]));

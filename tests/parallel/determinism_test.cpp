@@ -2,27 +2,15 @@
 // rank 0, alone.
 #include <gtest/gtest.h>
 
-#include "deck/read_deck.h"
-#include "files/shared_file.h"
 #include "measurement/state_hash.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
+#include "support/small_discharge.h"
 
 namespace repose::test {
 namespace {
 
 std::string hash_of(const Simulation& s) { return state_hash(s.comm(), s.particles(), s.pairs(), s.wall_contacts()); }
-
-/// A small discharge: grains fall, settle a little, the gate opens, some leave the domain through its floor.
-Deck small_discharge() {
-  Communicator world(MPI_COMM_WORLD);
-  const std::string path = std::string(REPOSE_SOURCE_DIR) + "/input/discharge_quick.toml";
-  return read_deck(
-      read_shared_file(world, path), path,
-      {"particles.0.mass=0.06 g", "particles.0.height=10 mm", "domain.min=[-0.004, -0.004, -0.003]", "time.step=6e-6",
-       "wall.plate.present=false", "wall.vessel.points=[[0.002,0.04],[0.002,0],[0.00125,0]]", "wall.lid.radius=0.00125",
-       "particles.0.radius=0.002", "particles.0.spacing=0.0006"});
-}
 
 struct Outcome {
   std::vector<std::string> hashes;

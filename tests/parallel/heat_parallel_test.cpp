@@ -1,39 +1,25 @@
 // Heat has the same bits on any number of ranks, for any lists and vector level, and none of it is lost.
 #include <gtest/gtest.h>
 
-#include "deck/read_deck.h"
-#include "files/shared_file.h"
 #include "heat/heat_figures.h"
 #include "measurement/state_hash.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
 #include "support/levels.h"
+#include "support/small_discharge.h"
 
 namespace repose::test {
 namespace {
 
 /// Grains fall on one another in a vessel without heated walls; some leave, hot or cold.
 Deck closed_box(bool crosses_gaps) {
-  Communicator world(MPI_COMM_WORLD);
-  const std::string path = std::string(REPOSE_SOURCE_DIR) + "/input/discharge_quick.toml";
-  std::vector<std::string> overrides = {"particles.0.mass=0.06 g",
-                                        "particles.0.height=10 mm",
-                                        "domain.min=[-0.004, -0.004, -0.003]",
-                                        "time.step=6e-6",
-                                        "wall.plate.present=false",
-                                        "wall.vessel.points=[[0.002,0.04],[0.002,0],[0.00125,0]]",
-                                        "wall.lid.radius=0.00125",
-                                        "particles.0.radius=0.002",
-                                        "particles.0.spacing=0.0006",
-                                        "heat.every=5",
-                                        "particles.0.temperature=400",
-                                        "particles.0.heating=3000"};
+  std::vector<std::string> overrides = {"heat.every=5", "particles.0.temperature=400", "particles.0.heating=3000"};
   for (const char* material : {"material.0", "material.1"}) {
     for (const char* key : {".conductivity=2.0", ".specific_heat=800.0", ".emissivity=0.9"})
       overrides.push_back(std::string(material) + key);
   }
   if (crosses_gaps) overrides.insert(overrides.end(), {"heat.gas=air", "heat.radiation=true", "heat.max_gap=0.5"});
-  return read_deck(read_shared_file(world, path), path, overrides);
+  return small_discharge(overrides);
 }
 
 struct Outcome {

@@ -64,13 +64,17 @@ class Laboratory:
             program.run(deck, directory, *sets, options=["--quiet"])
         snapshot = sorted(f for f in os.listdir(directory) if f.endswith(".hdf"))[-1]
         self.centres, self.radii = photographer.read_grains(os.path.join(directory, snapshot), below=0.0)
-        self.list = os.path.join(directory, "grains.csv")
-        np.savetxt(self.list, np.column_stack([self.centres, self.radii]), delimiter=",", header="x,y,z,radius", comments="")
+        self.write_list("grains.csv")
         self.deck = os.path.join(directory, "base.toml")
         with open(deck) as file:
             text = file.read().replace('base_radius = "10 mm"\n', "")
         with open(self.deck, "w") as file:
             file.write(text)
+
+    def write_list(self, name):
+        """The grains, for `repose measure`."""
+        self.list = os.path.join(self.directory, name)
+        np.savetxt(self.list, np.column_stack([self.centres, self.radii]), delimiter=",", header="x,y,z,radius", comments="")
 
     def exact(self, *sets):
         """measurement.json of the grains themselves."""
@@ -161,8 +165,7 @@ def crowded(lab):
             centres.append(place)
             radii.append(lab.radii[i])
     more.centres, more.radii = np.array(centres), np.array(radii)
-    more.list = os.path.join(lab.directory, "crowded.csv")
-    np.savetxt(more.list, np.column_stack([more.centres, more.radii]), delimiter=",", header="x,y,z,radius", comments="")
+    more.write_list("crowded.csv")
     return more
 
 

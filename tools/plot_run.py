@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Draws the course of a run, finished or not, as PNG and PDF: discharge, energies, loads on the walls.
+"""Draws the course of a run, finished or not, as PNG and PDF: discharge, energies, loads on the walls, heat.
 
-Usage: tools/plot_run.py DIR [--output DIR]
+Usage: tools/plot_run.py DIR [--output DIR] [--along AXIS] [--part SHARE]
 
-DIR is the output directory of a run; the pictures discharge, energies and walls are written beside its files, or to the
-directory of --output. What the run does not have (no discharge measured, no wall touched) is not drawn.
+DIR is the output directory of a run; the pictures discharge, energies, walls, heat and temperatures (of the grains in the
+last snapshot) are written beside its files, or to the directory of --output. What the run does not have (no discharge
+measured, no wall touched, no heat) is not drawn.
 """
 import argparse
 import os
@@ -15,13 +16,32 @@ sys.path[:0] = [os.path.join(HERE, "python"), os.path.join(HERE, "..", "python")
 import repose  # noqa: E402
 from repose import plots  # noqa: E402
 
-PICTURES = {"discharge": plots.discharge, "energies": plots.energies, "walls": plots.walls}
+PICTURES = {"discharge": plots.discharge, "energies": plots.energies, "walls": plots.walls, "heat": plots.heat}
+
+
+def share(text):
+    value = float(text)
+    if not 0.0 < value <= 1.0:
+        raise argparse.ArgumentTypeError(f"{text} is no share above 0 and at most 1")
+    return value
+
+
+def pictures_of(run, chosen):
+    """Names and figures of all that the run has."""
+    for name, draw in PICTURES.items():
+        yield name, draw(run)
+    if "heat" in run.deck and run.snapshot_paths:
+        yield "temperatures", plots.temperatures(repose.Snapshot(run.snapshot_paths[-1]), chosen.along, chosen.part)
 
 
 def main():
-    arguments = argparse.ArgumentParser(description="draw the course of a run: discharge, energies, loads on the walls")
+    arguments = argparse.ArgumentParser(description="draw the course of a run: discharge, energies, loads on the walls, heat")
     arguments.add_argument("run", metavar="DIR", help="output directory of a run")
     arguments.add_argument("--output", metavar="DIR", help="where to put the pictures; default: beside the run")
+    arguments.add_argument("--along", metavar="AXIS", choices=("x", "y", "z"), default="y",
+                           help="x, y or z: how temperatures are looked at; default: y")
+    arguments.add_argument("--part", metavar="SHARE", type=share, default=1.0,
+                           help="of the bed's depth that temperatures show, from its back on; default: 1, all of it")
     chosen = arguments.parse_args()
     output = chosen.output or chosen.run
     try:
@@ -29,8 +49,7 @@ def main():
         if run.series is None:
             raise repose.ReposeError(f"{chosen.run}: series.csv has no rows")
         os.makedirs(output, exist_ok=True)
-        for name, draw in PICTURES.items():
-            figure = draw(run)
+        for name, figure in pictures_of(run, chosen):
             if figure is None:
                 continue
             path = os.path.join(output, name)

@@ -22,6 +22,8 @@ SHORT = ("phase.settle.max_time=2 ms", "phase.settle.min_time=1 ms", "phase.disc
 # Overrides for commands that read a file of this name.
 REDUCED = {
     "discharge_quick.toml": ("particles.0.mass=0.05 g", *SHORT),
+    "heated_drum.toml": ("phase.fill.time=2 ms", "phase.turn.time=4 ms", "measurement.surface_angle.from=0.001"),
+    "moving_bed_exchanger.toml": ("phase.settle.time=2 ms", "phase.sink.time=2 ms"),
     "periodic_chute.toml": ("phase.flow.time=5 ms",),
     "validation.toml": ("particles.0.mass=0.02 g", *SHORT),
 }

@@ -3,7 +3,7 @@
 # ending of a name, unit shown, factor from SI
 UNITS = (("_kg_m3", "kg/m³", 1.0), ("_kg_s", "g/s", 1e3), ("_kg", "g", 1e3), ("_deg_s", "degrees/s", 1.0),
          ("_deg", "degrees", 1.0),
-         ("_m", "mm", 1e3), ("_s", "s", 1.0), ("_J", "J", 1.0), ("_N", "N", 1.0))
+         ("_m", "mm", 1e3), ("_s", "s", 1.0), ("_J", "J", 1.0), ("_N", "N", 1.0), ("_K", "K", 1.0))
 
 
 def words(name):

@@ -47,7 +47,7 @@ def figures_table(run, names=None):
 def course(run, plots):
     """Time series of a run."""
     drawn = ((plots.discharge, "discharged mass and its rate"), (plots.energies, "energies"),
-             (plots.walls, "forces on the walls"))
+             (plots.walls, "forces on the walls"), (plots.heat, "temperatures and heat from the walls"))
     return html.gallery([html.picture(shown, html.escape(caption)) for draw, caption in drawn
                          if (shown := svg.of_figure(draw(run), caption))])
 

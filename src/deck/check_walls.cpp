@@ -107,6 +107,8 @@ void check_phases(const Deck& deck, DeckErrors& errors) {
       errors.add(section + ".min_time",
                  fmt::format("\"min_time\" = {} is beyond \"max_time\" = {}", phase.min_time, phase.max_time));
     }
+    if (phase.growth.enabled && !phase.mechanics)
+      errors.add(section + ".growth", "nothing grows in a phase without mechanics; remove one of the two");
     for (std::size_t k = 0; k < phase.remove_walls.size(); ++k) {
       walls.remove(fmt::format("{}.remove_walls.{}", section, k), phase.remove_walls[k]);
     }

@@ -63,6 +63,20 @@ constexpr auto enumerators(PhaseUntil) {
   return std::array<std::string_view, 4>{"kinetic_energy", "time", "steps", "tilt_onset"};
 }
 
+/// [phase.growth]: all particles that move become larger, all alike.
+struct GrowthDeck {
+  bool enabled = false;  ///< true when the phase has the section
+  double factor = unset;
+  std::int64_t every = 0;
+};
+
+template <class V>
+void describe(V& v, GrowthDeck& g) {
+  v("factor", g.factor, Unit::none, from_to(1, 1.1), required,
+    "by which diameters grow each time, of the same density");
+  v("every", g.every, Unit::none, from_to(1, 1000000), required, "steps between two times; each makes new lists");
+}
+
 struct PhaseDeck {
   std::string name;
   PhaseUntil until = PhaseUntil::time;
@@ -74,6 +88,7 @@ struct PhaseDeck {
   bool mechanics = true;    ///< false: nothing moves, heat alone goes on
   std::vector<std::string> remove_walls;
   std::vector<std::string> add_walls;
+  GrowthDeck growth;
 };
 
 template <class V>
@@ -96,6 +111,7 @@ void describe(V& v, PhaseDeck& p) {
     "false: every grain stays where it is and heat alone goes on; needs [heat]");
   v("remove_walls", p.remove_walls, Unit::none, any_value, optional, "walls that vanish at the start of the phase");
   v("add_walls", p.add_walls, Unit::none, any_value, optional, "walls that appear at the start of the phase");
+  v.section("growth", p.growth, optional, "particles that grow: a way to dense packings");
 }
 
 }  // namespace repose

@@ -21,11 +21,11 @@ double greatest_heat(const Conductance& conductance, const MaterialTable& materi
 
 }  // namespace
 
-HeatState::HeatState(const Deck& deck, const MaterialTable& materials, const Insertion& insertion)
+HeatState::HeatState(const Deck& deck, const MaterialTable& materials, const Insertion& insertion, double growth)
     : materials_(materials),
       conductance_(deck),
       temperature_of_rest_(deck.heat.temperature),
-      unit_(greatest_heat(conductance_, materials, insertion)) {
+      unit_(growth * greatest_heat(conductance_, materials, insertion)) {
   for (std::size_t k = 0; k < deck.particles.size(); ++k) {
     const ParticlesDeck& block = deck.particles[k];
     blocks_.push_back({insertion.block_begin[k + 1], block.temperature, block.isothermal, block.heating});

@@ -18,8 +18,8 @@ inline constexpr double greatest_temperature = 10000.0;
 /// What is fixed of the heat of a run: properties, the unit, and what the deck says of each block of particles.
 class HeatState {
  public:
-  /// Of a deck with [heat].
-  HeatState(const Deck& deck, const MaterialTable& materials, const Insertion& insertion);
+  /// Of a deck with [heat] whose particles can come to have so many times their mass.
+  HeatState(const Deck& deck, const MaterialTable& materials, const Insertion& insertion, double growth);
 
   const HeatUnit& unit() const { return unit_; }
   const Conductance& conductance() const { return conductance_; }

@@ -21,8 +21,10 @@ constexpr double undetermined = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-HeatTransfer::HeatTransfer(const Deck& deck, const MaterialTable& materials, const Insertion& insertion)
-    : state_(deck, materials, insertion), every_(deck.heat.every), ledger_(HeatLedger::none(deck.walls.size())) {
+HeatTransfer::HeatTransfer(const Deck& deck, const MaterialTable& materials, const Insertion& insertion, double growth)
+    : state_(deck, materials, insertion, growth),
+      every_(deck.heat.every),
+      ledger_(HeatLedger::none(deck.walls.size())) {
   for (const WallDeck& wall : deck.walls) walls_.push_back(wall.heat);
   wall_temperature_.assign(walls_.size(), undetermined);
   set_given_wall_temperatures(0.0);
@@ -33,6 +35,12 @@ void HeatTransfer::enter(double temperature, Particles& particles) {
   particles.heat.push_back(
       state_.entering(particles.id[i], particles.record[i].radius, particles.material[i], temperature));
   ledger_.brought.add(particles.heat[i]);
+}
+
+void HeatTransfer::multiply(double mass_factor, std::size_t i, Particles& particles) {
+  const std::int64_t grown = std::llrint(static_cast<double>(particles.heat[i]) * mass_factor);
+  ledger_.brought.add(grown - particles.heat[i]);
+  particles.heat[i] = grown;
 }
 
 void HeatTransfer::take_leavers(Particles& particles) {

@@ -36,14 +36,16 @@ struct HeatFault {
 /// the unit once and added to the one and taken from the other.
 class HeatTransfer {
  public:
-  /// Of a deck with [heat].
-  HeatTransfer(const Deck& deck, const MaterialTable& materials, const Insertion& insertion);
+  /// Of a deck with [heat] whose particles can come to have so many times their mass.
+  HeatTransfer(const Deck& deck, const MaterialTable& materials, const Insertion& insertion, double growth);
 
   const HeatState& state() const { return state_; }
   std::int64_t every() const { return every_; }  ///< mechanical steps in a thermal one
 
   /// Gives the last particle the heat with which it enters; `temperature` in K is that of a file, or NaN.
   void enter(double temperature, Particles& particles);
+  /// A particle grows by more of the same, as warm as it is.
+  void multiply(double mass_factor, std::size_t i, Particles& particles);
   /// Takes the heat of parked particles out.
   void take_leavers(Particles& particles);
   /// Collective. The next thermal step; what went wrong first on this rank.

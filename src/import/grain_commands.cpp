@@ -1,7 +1,11 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <fmt/core.h>
 
+#include "base/error.h"
+#include "import/formula.h"
 #include "import/grain_list.h"
 #include "import/translate.h"
 
@@ -198,17 +202,71 @@ void freeze(Translation& to, Words& words) {
   to.scene.grain_places.push_back(words.place());
 }
 
+/// compute ID GROUP STYLE ...: of interest is who knows the radii.
+void compute(Translation& to, Words& words) {
+  const std::string name = words.word("the name of the compute");
+  words.word("the group of the compute");
+  if (words.take("property/atom") && words.take("radius") && words.at_end()) to.scene.radius_computes.insert(name);
+  words.rest();
+  note_needless(to.scene, words.command(), "a run writes its own results");
+}
+
+/// The factor by which a formula of the radii, `c_NAME`, makes diameters larger; none when it is no such formula.
+std::optional<double> growth_factor(const std::string& formula, const std::set<std::string>& radius_computes) {
+  const auto diameter_for = [&](const std::string& radius) {
+    std::string text = formula;
+    for (const std::string& name : radius_computes) {
+      const std::string word = "c_" + name;
+      for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word))
+        text.replace(at, word.size(), radius);
+    }
+    return evaluate(text, [](const std::string& name) -> double { throw DeckError("no variable " + name); });
+  };
+  try {
+    const double of_one = diameter_for("(1)");
+    const double factor = 0.5 * of_one;
+    if (std::fabs(diameter_for("(2)") - 2.0 * of_one) <= 1e-12 * of_one && factor >= 1.0) return factor;
+  } catch (const DeckError&) {
+    return {};
+  }
+  return {};
+}
+
+/// fix ID GROUP adapt N atom diameter FORMULA
+void adapt(Translation& to, Words& words) {
+  const std::int64_t every = words.integer("the steps between two changes");
+  const auto note = [&](const std::string& reason) {
+    words.rest();
+    note_missing(to.scene, words.command(), reason);
+  };
+  if (every < 1 || !words.take("atom") || !words.take("diameter"))
+    return note("only atom diameter of fix adapt has a counterpart");
+  const std::optional<double> factor = growth_factor(words.word("the diameter"), to.scene.radius_computes);
+  if (!words.at_end()) return note(fmt::format("\"{}\" of fix adapt", words.word("a key")));
+  if (!factor) return note("only diameters that grow by a factor have a counterpart");
+  const bool is_second = std::any_of(to.scene.growths.begin(), to.scene.growths.end(),
+                                     [](const ScriptGrowth& growth) { return growth.until == never_removed; });
+  if (is_second) return note("grains grow by another fix already");
+  if (words.command().words[2] != "all" && !to.scene.grains.empty())
+    note_missing(to.scene, words.command(), "all grains grow, also those of other groups");
+  to.scene.growths.push_back({.place = words.place(),
+                              .name = words.command().words[1],
+                              .factor = *factor,
+                              .every = every,
+                              .from = to.scene.runs.size()});
+}
+
 }  // namespace
 
 const Translations& grain_commands() {
-  static const Translations commands = {{"read_data", read_data}, {"create_atoms", create_atoms},
-                                        {"group", group},         {"set", set},
-                                        {"velocity", velocity},   {"delete_atoms", delete_atoms}};
+  static const Translations commands = {
+      {"read_data", read_data}, {"create_atoms", create_atoms}, {"group", group},    {"set", set},
+      {"velocity", velocity},   {"delete_atoms", delete_atoms}, {"compute", compute}};
   return commands;
 }
 
 const Translations& grain_fixes() {
-  static const Translations fixes = {{"freeze", freeze}};
+  static const Translations fixes = {{"freeze", freeze}, {"adapt", adapt}};
   return fixes;
 }
 

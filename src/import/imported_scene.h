@@ -138,6 +138,16 @@ struct MeshMotion {
   std::size_t until = never_removed;
 };
 
+/// `fix adapt ... atom diameter`, by a factor.
+struct ScriptGrowth {
+  Place place = {};
+  std::string name = {};  ///< of the fix
+  double factor = 1.0;
+  std::int64_t every = 1;  ///< steps
+  std::size_t from = 0;
+  std::size_t until = never_removed;
+};
+
 enum class InsertionKind { pack, stream, rate_region };
 
 struct ScriptInsertion {
@@ -189,6 +199,8 @@ struct ImportedScene {
   std::vector<ScriptWall> walls = {};
   std::vector<MeshMotion> motions = {};
   std::vector<ScriptInsertion> insertions = {};
+  std::set<std::string> radius_computes = {};  ///< names of `compute ... property/atom radius`
+  std::vector<ScriptGrowth> growths = {};
   std::vector<Grain> grains = {};
   std::vector<Place> grain_places = {};  ///< commands that have made or changed the list
   std::vector<ScriptRun> runs = {};

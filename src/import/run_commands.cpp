@@ -26,7 +26,8 @@ bool begins_anew(const ImportedScene& scene) {
       return item.from == scene.runs.size() || item.until == scene.runs.size();
     });
   };
-  return scene.runs.empty() || changes(scene.walls) || changes(scene.motions) || changes(scene.insertions);
+  return scene.runs.empty() || changes(scene.walls) || changes(scene.motions) || changes(scene.insertions) ||
+         changes(scene.growths);
 }
 
 /// run N [upto]; runs between which nothing changes are one.

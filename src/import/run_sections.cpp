@@ -93,6 +93,12 @@ void write_phases(DeckText& deck, const ImportedScene& scene, const WallNames& w
     deck.key("steps", scene.runs[run].steps);
     if (!remove.empty()) deck.key("remove_walls", remove);
     if (!add.empty()) deck.key("add_walls", add);
+    for (const ScriptGrowth& growth : scene.growths) {
+      if (growth.from > run || run >= growth.until) continue;
+      deck.section("[phase.growth]", growth.place);
+      deck.key("factor", growth.factor);
+      deck.key("every", growth.every);
+    }
   }
 }
 

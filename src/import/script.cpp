@@ -141,6 +141,7 @@ class Reader {
     } else if (name == "quit") {
       has_quit_ = true;
     } else if (name != "label") {
+      if (name == "fix") variables_.put_atom_formulas(command.words);
       visit_(command);
     }
     return {};

@@ -30,7 +30,6 @@ const std::map<std::string, std::string>& needless_commands() {
       {"log", results},
       {"thermo_style", results},
       {"thermo_modify", results},
-      {"compute", results},
       {"uncompute", results},
       {"compute_modify", results},
       {"dump_modify", results},
@@ -95,7 +94,6 @@ const std::map<std::string, std::string>& missing_commands() {
 std::string reason_of_missing_fix(const std::string& style) {
   static const std::vector<std::pair<std::string, std::string>> reasons = {
       {"heat/gran", "grains carry no heat"},
-      {"adapt", "the sizes of grains do not change"},
       {"property/atom", "grains have no other properties"},
       {"viscous", "there is no drag"},
       {"drag", "there is no drag"},
@@ -180,6 +178,7 @@ bool end_fix(ImportedScene& scene, const std::string& name) {
   end(scene.walls);
   end(scene.insertions);
   end(scene.motions);
+  end(scene.growths);
   return is_done;
 }
 

@@ -47,12 +47,10 @@ void Variables::define(const ScriptCommand& command) {
     std::vector<std::string> values = style == "loop" ? loop_values(words) : words.rest();
     if (values.empty()) words.fail("an index variable without values");
     variables_[name] = {Style::list, std::move(values)};
-  } else if (style == "string" || style == "equal") {
+  } else if (style == "string" || style == "equal" || style == "atom") {
     std::string text = words.word("the value of the variable");
     for (const std::string& more : words.rest()) text += " " + more;
-    variables_[name] = {style == "string" ? Style::text : Style::formula, {text}};
-  } else if (style == "atom") {
-    variables_[name] = {Style::of_atoms, {}};
+    variables_[name] = {style == "string" ? Style::text : style == "equal" ? Style::formula : Style::of_atoms, {text}};
   } else {
     words.fail(fmt::format("variables of style \"{}\" are not known; index, loop, string and equal are", style));
   }
@@ -109,6 +107,13 @@ double Variables::value(const std::string& formula, const Place& place, int dept
 }
 
 double Variables::value(const std::string& formula, const Place& place) const { return value(formula, place, 0); }
+
+void Variables::put_atom_formulas(std::vector<std::string>& words) const {
+  for (std::string& word : words) {
+    const auto found = word.starts_with("v_") ? variables_.find(word.substr(2)) : variables_.end();
+    if (found != variables_.end() && found->second.style == Style::of_atoms) word = found->second.values[0];
+  }
+}
 
 /// Replaces what begins with the $ at `at`; where the line goes on.
 std::size_t Variables::replace_one(const std::string& line, std::size_t at, const Place& place,

@@ -11,7 +11,7 @@ namespace repose {
 /// The variables of a script. Formulas are kept as they are and evaluated when they are asked for, as LAMMPS does.
 class Variables {
  public:
-  /// `variable NAME STYLE ARGUMENTS`: index, loop, string, equal, delete; of atom alone that it exists.
+  /// `variable NAME STYLE ARGUMENTS`: index, loop, string, equal, delete; formulas of atom are kept as text.
   void define(const ScriptCommand& command);
   /// The next value of an index or a loop; false, and the variable is gone, when there is none.
   bool advance(const std::string& name, const Place& place);
@@ -20,6 +20,8 @@ class Variables {
   std::string text(const std::string& name, const Place& place) const;
   /// Value of a formula that may name variables.
   double value(const std::string& formula, const Place& place) const;
+  /// Of the variables of atom style that the words of a command name as v_NAME, their formulas in place of the words.
+  void put_atom_formulas(std::vector<std::string>& words) const;
   /// A line with ${name}, $x and $(formula) replaced outside of quotes, if `in_quotes` is false.
   std::string replaced(const std::string& line, const Place& place, bool in_quotes = false) const;
 

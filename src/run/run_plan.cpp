@@ -12,6 +12,7 @@ RunPlan::RunPlan(const Deck& deck, const ReadFile& read_file)
   const SmallestRadii radii = smallest_radii(insertion, materials.size());
   dt = choose_time_step(deck, materials, radii, expected_speed(deck, insertion.now, insertion.pours));
   check_wall_speeds(deck, walls, materials, radii, dt.step);
+  greatest_growth(deck, dt.step);
 }
 
 double most_steps(const Deck& deck, const TimeStep& dt) {

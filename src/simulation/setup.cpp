@@ -1,6 +1,7 @@
 #include "simulation/setup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/core.h>
@@ -10,6 +11,7 @@
 #include "output/snapshot_reader.h"
 #include "scene/particles/sphere_mass.h"
 #include "scene/walls/motion.h"
+#include "simulation/phases.h"
 
 namespace repose {
 
@@ -61,6 +63,23 @@ double planned_mass(const Insertion& insertion, const MaterialTable& materials) 
   insertion.for_each(
       [&](double radius, std::size_t material) { mass += sphere_mass(radius, materials[material].density); });
   return mass;
+}
+
+double greatest_growth(const Deck& deck, double timestep) {
+  constexpr double most = 10.0;
+  double growth = 1.0;
+  for (const PhaseDeck& phase : deck.phases) {
+    if (!phase.growth.enabled) continue;
+    const double times =
+        std::ceil(static_cast<double>(longest_steps(phase, timestep)) / static_cast<double>(phase.growth.every));
+    growth *= std::pow(phase.growth.factor, times);
+    if (growth <= most) continue;
+    throw DeckError(
+        fmt::format("phase \"{}\": its growth can make particles {:.3g} times as large, more than {:.0f}; "
+                    "shorten the phase, or take a smaller growth.factor",
+                    phase.name, growth, most));
+  }
+  return growth;
 }
 
 }  // namespace repose

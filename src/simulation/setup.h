@@ -28,4 +28,7 @@ void check_wall_speeds(const Deck& deck, const std::vector<Wall>& walls, const M
 /// Mass in kg of all particles, present and planned.
 double planned_mass(const Insertion& insertion, const MaterialTable& materials);
 
+/// The most by which the diameter of a particle can have grown in all phases. DeckError when that is beyond tenfold.
+double greatest_growth(const Deck& deck, double timestep);
+
 }  // namespace repose

@@ -48,18 +48,19 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now, insertion.pours));
   check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
   const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
-  const double adhesion_range = longest_holding_distance(materials_, smallest, insertion.largest_radius());
+  const double growth = greatest_growth(deck_, time_step_.step);
+  const double largest = growth * insertion.largest_radius();
+  const double adhesion_range = longest_holding_distance(materials_, smallest, largest);
   safe_step_ = longest_way / std::sqrt(3.0) * smallest;
-  if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion);
+  if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion, growth * growth * growth);
   const double heat_share = heat_ ? heat_->state().conductance().reach_share() : 0.0;
-  const double longest =
-      longest_skin(particles_.periodic, insertion.largest_radius() * (1.0 + heat_share) + adhesion_range);
+  const double longest = longest_skin(particles_.periodic, largest * (1.0 + heat_share) + adhesion_range);
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
   watch_ = SkinWatch({deck_.neighbours.inner_skin, horizon(inner_horizon_steps), 0.5 * longest, adhesion_range},
                      {deck_.neighbours.skin, horizon(outer_horizon_steps), longest, adhesion_range, heat_share});
   scene_.set_wall_skins(deck_, watch_.inner().horizon, watch_.outer().horizon);
   planned_ = insertion.planned;
-  mass_unit_ = MassUnit(planned_mass(insertion, materials_));
+  mass_unit_ = MassUnit(planned_mass(insertion, materials_) * growth * growth * growth);
   sizes_ = std::move(insertion.sizes);
   pouring_ = Pouring(std::move(insertion.pours), time_step_.step);
   insert(insertion.now);
@@ -106,6 +107,7 @@ void Simulation::begin_phase(const std::string& name) {
   const auto phase =
       std::find_if(deck_.phases.begin(), deck_.phases.end(), [&](const PhaseDeck& p) { return p.name == name; });
   moves_ = phase == deck_.phases.end() || phase->mechanics;
+  growth_ = phase == deck_.phases.end() ? GrowthDeck{} : phase->growth;
 }
 
 /// At most so many steps in which nothing moves, up to the next thermal one. How many it were.
@@ -133,8 +135,9 @@ void Simulation::move(std::int64_t k, double dt) {
   if (notes.outside > parked_ && !alarm_) count_leavers();
   const bool skin_used_up = notes.skin_used_up || scene_.held().skin_used_up(watch_.inner_marks(), particles_);
   const ListState state = agreed_list_state(skin_used_up);
-  const bool grows = steps_ + 1 == pouring_.next_step() && pour();
-  renew_lists(grows ? ListState::outer_stale : state);
+  const bool enter = steps_ + 1 == pouring_.next_step() && pour();
+  const bool grown = growth_.enabled && (steps_ + 1) % growth_.every == 0 && grow();
+  renew_lists(enter || grown ? ListState::outer_stale : state);
   evaluate_forces(dt);
   load_.count_step(pairs_.lanes(), particles_.ghosts());
   ++steps_;
@@ -156,6 +159,16 @@ bool Simulation::pour() {
   clock_.enter(Stage::lists);
   entering_ = pouring_.enter(comm_, {steps_ + 1, deck_.run.seed, scene_.gravity()}, particles_, walls());
   return entering_.size() > 0;
+}
+
+/// All particles but held ones become larger; their masses follow when the lists are made anew.
+bool Simulation::grow() {
+  for (std::size_t i = 0; i < particles_.owned; ++i) {
+    if (materials_.is_held(particles_.material[i])) continue;
+    particles_.record[i].radius *= growth_.factor;
+    if (heat_) heat_->multiply(growth_.factor * growth_.factor * growth_.factor, i, particles_);
+  }
+  return true;
 }
 
 /// Adds the particles that enter to those of the rank whose part of the domain they are in, without contacts.

@@ -125,6 +125,7 @@ class Simulation {
 
   void insert(const NewParticles& all);
   bool pour();
+  bool grow();
   void admit(ContactMemory& memory);
   void rebuild_lists();
   void rebuild_lists(ContactMemory memory);
@@ -170,6 +171,7 @@ class Simulation {
   WallContacts wall_contacts_;
   std::optional<HeatTransfer> heat_;
   bool moves_ = true;  ///< false: heat alone goes on
+  GrowthDeck growth_;  ///< of the phase
   std::int64_t steps_ = 0;
   StageClock clock_;
   RankLoad load_;

@@ -19,7 +19,7 @@ namespace repose::test {
 namespace {
 
 /// Everything that has state of its own: a pour, walls that come and go and that move, held grains, a tilt, exits, all
-/// the series, a periodic direction, and heat.
+/// the series, a periodic direction, heat, and particles that grow.
 const char* const scene = R"(
 [domain]
 min = [-0.02, -0.01, -0.001]
@@ -125,6 +125,9 @@ name = "shake"
 until = "steps"
 steps = 4500
 remove_walls = ["stop"]
+[phase.growth]
+factor = 1.0005
+every = 130
 [measurement.discharge]
 orifice_height = 0.0
 [output]

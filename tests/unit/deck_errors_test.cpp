@@ -454,6 +454,12 @@ TEST(DeckErrors, HeatAndWhatItNeeds) {
     hot.push_back(std::string(material) + ".specific_heat=800");
   }
   EXPECT_EQ(message_of(example_deck, hot), "no error");
+  std::vector<std::string> growing = hot;
+  growing.insert(growing.end(), {"phase.1.growth.factor=1.001", "phase.1.growth.every=40"});
+  EXPECT_EQ(message_of(example_deck, growing), "no error");
+  growing.push_back("phase.1.mechanics=false");
+  says(growing, "nothing grows in a phase without mechanics");
+  says({"phase.1.growth.every=40"}, "[phase.growth] lacks \"factor\"");
   const auto with_hot = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = hot;
     all.insert(all.end(), more.begin(), more.end());

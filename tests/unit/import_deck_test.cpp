@@ -306,7 +306,28 @@ TEST(ImportDeck, ListsWhatHasNoCounterpart) {
   EXPECT_EQ(missing[0].command, "fix drag all viscous 0.1");
   EXPECT_EQ(missing[0].place.line, 20U);
   EXPECT_EQ(missing[0].reason, "there is no drag");
-  EXPECT_EQ(missing[1].reason, "the sizes of grains do not change");
+  EXPECT_EQ(missing[1].reason, "only diameters that grow by a factor have a counterpart");
+}
+
+TEST(ImportDeck, GrainsThatGrow) {
+  const std::string grows =
+      "variable rate equal 1.5^(2/(3.*10))\ncompute rad all property/atom radius\n"
+      "variable d atom ${rate}*2.*c_rad\nfix grow all adapt 2 atom diameter v_d\n";
+  const auto result = import_text(test::falling + grows + "run 10\nunfix grow\nrun 20\n");
+  EXPECT_TRUE(result.imported.missing.empty());
+  ASSERT_EQ(result.deck.phases.size(), 3U);
+  EXPECT_FALSE(result.deck.phases[0].growth.enabled);
+  EXPECT_TRUE(result.deck.phases[1].growth.enabled);
+  EXPECT_DOUBLE_EQ(result.deck.phases[1].growth.factor, std::pow(1.5, 1.0 / 15.0));
+  EXPECT_EQ(result.deck.phases[1].growth.every, 2);
+  EXPECT_FALSE(result.deck.phases[2].growth.enabled);
+  const auto reason = [](const std::string& formula) {
+    const auto noted = import_text(before_run("compute rad all property/atom radius\nvariable d atom " + formula +
+                                              "\nfix grow all adapt 2 atom diameter v_d\n"));
+    return noted.imported.missing.size() == 1 ? noted.imported.missing[0].reason : "no note";
+  };
+  for (const char* formula : {"0.9*2*c_rad", "2.*c_rad+0.001", "2.1*c_other", "vx"})
+    EXPECT_EQ(reason(formula), "only diameters that grow by a factor have a counterpart") << formula;
 }
 
 TEST(ImportDeck, RefusesWithTheLineAndTheReason) {

@@ -1,5 +1,6 @@
 """How the benchmarks report: results as JSON, with the machine and the commit, and tables for documents."""
 
+import argparse
 import json
 import pathlib
 import platform
@@ -37,6 +38,16 @@ def save(path, **content):
         text = text[:-2] + ',\n "rows": [\n  ' + ",\n  ".join(json.dumps(row) for row in rows) + "\n ]\n}"
     path.write_text(text + "\n")
     print(f"wrote {path}")
+
+
+def usual_options(description, name):
+    """A parser of what most benchmarks take: the program, a folder to work in, and where the results of `name` go."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--program", default=None, help="the program (default: $REPOSE or the one built)")
+    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / name, help="a folder")
+    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / name,
+                        help="where the results go")
+    return parser
 
 
 def print_table(rows, digits=3):

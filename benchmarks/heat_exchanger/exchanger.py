@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Heat from plates into a moving bed over its speed, beside published correlations; see README.md."""
 
-import argparse
 import json
 import math
 import pathlib
@@ -9,7 +8,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from report import ROOT, print_table, save  # noqa: E402  (and where the package is)
+from report import ROOT, print_table, save, usual_options  # noqa: E402  (and where the package is)
 import repose  # noqa: E402
 from repose.plots.style import new_figure, styled  # noqa: E402
 from repose.program import call, set_options  # noqa: E402
@@ -30,22 +29,27 @@ def exchange(options, speed):
                       set={"wall.piston.motion.0.velocity": [0.0, 0.0, -speed], "phase.sink.time": WAY / speed})
 
 
-def gas_and_bed(options, run):
-    """Air at the mean temperature, and conductivity and porosity of the bed between the plates by its network."""
-    temperature = {"temperature.min": FILM, "temperature.max": FILM, "temperature.count": 1}
-    net, air = options.work / "network", options.work / "air"
+FILM_ALONE = {"temperature.min": FILM, "temperature.max": FILM, "temperature.count": 1}
+
+
+def air(options):
+    """Conductivity and free path of air at the mean temperature."""
+    output = options.work / "air"
+    call(["thermal", "bed", INPUT / "thermal_bed_carbohsp.toml", "--output", output, *set_options(FILM_ALONE)],
+         program=options.program)
+    row = json.loads((output / "bed.json").read_text())["conductivity"][0]
+    return {"conductivity": row["air_conductivity_W_mK"], "free_path": row["free_path_m"]}
+
+
+def bed_of(options, run):
+    """Porosity, conductivity by its network and volumetric heat of the bed between the plates."""
+    output = options.work / "network"
     material = run.deck["material"][0]
-    call(["thermal", "network", run.snapshot_paths[-1], "--deck", INPUT / "thermal_network.toml", "--output", net,
-          *set_options(temperature | CORE | {"box.periodic": ["y"],
-                                             "material.0.stiffness_ratio": material["stiffness_ratio"]})],
-         program=options.program)
-    call(["thermal", "bed", INPUT / "thermal_bed_carbohsp.toml", "--output", air, *set_options(temperature)],
-         program=options.program)
-    bed, = json.loads((net / "network.json").read_text())["beds"]
-    gas = json.loads((air / "bed.json").read_text())["conductivity"][0]
+    own = {"box.periodic": ["y"], "material.0.stiffness_ratio": material["stiffness_ratio"]}
+    call(["thermal", "network", run.snapshot_paths[-1], "--deck", INPUT / "thermal_network.toml", "--output", output,
+          *set_options(FILM_ALONE | CORE | own)], program=options.program)
+    bed, = json.loads((output / "network.json").read_text())["beds"]
     return {"porosity": bed["porosity"], "conductivity": bed["conductivity"][0]["conductivity_W_mK"],
-            "model": bed["conductivity"][0]["model_W_mK"],
-            "gas": gas["air_conductivity_W_mK"], "free_path": gas["free_path_m"],
             "heat": (1.0 - bed["porosity"]) * material["density"] * material["specific_heat"]}
 
 
@@ -71,37 +75,38 @@ def measured(run, speed):
             "unsteadiness": halves[1] / halves[0] - 1.0}
 
 
-def penetration(conductivity, heat, time):
+def penetration(bed, time):
     """Mean over the time of a half space that is suddenly as warm as the wall, W/(m2 K)."""
-    return 2.0 / math.sqrt(math.pi) * math.sqrt(conductivity * heat / time)
+    return 2.0 / math.sqrt(math.pi) * math.sqrt(bed["conductivity"] * bed["heat"] / time)
 
 
-def at_wall_schluender(bed):
+def at_wall_schluender(gas, deck):
     """VDI Heat Atlas, section M6: from a wall into the first layer of grains, smooth surfaces that cover 80 % of it."""
-    ratio = 2.0 * bed["free_path"] / DIAMETER
-    grain = 4.0 * bed["gas"] / DIAMETER * ((1.0 + ratio) * math.log(1.0 + 1.0 / ratio) - 1.0)
-    beside = 2.0 * bed["gas"] / DIAMETER / (math.sqrt(2.0) + ratio)
-    steel, carbohsp = 0.8, 0.9  # emissivities of the deck
-    radiation = 4.0 * 5.670374e-8 * FILM ** 3 / (1.0 / steel + 1.0 / carbohsp - 1.0)
+    ratio = 2.0 * gas["free_path"] / DIAMETER
+    grain = 4.0 * gas["conductivity"] / DIAMETER * ((1.0 + ratio) * math.log(1.0 + 1.0 / ratio) - 1.0)
+    beside = 2.0 * gas["conductivity"] / DIAMETER / (math.sqrt(2.0) + ratio)
+    radiation = 4.0 * 5.670374e-8 * FILM ** 3 / (sum(1.0 / m["emissivity"] for m in deck["material"]) - 1.0)
     return 0.8 * grain + 0.2 * beside + radiation
 
 
-def at_wall_sullivan_sabersky(bed):
+def at_wall_sullivan_sabersky(gas):
     """Sullivan and Sabersky 1975: a gap of air of 0.085 diameters, fitted to their measurements."""
-    return bed["gas"] / (0.085 * DIAMETER)
+    return gas["conductivity"] / (0.085 * DIAMETER)
 
 
 def in_series(first, second):
     return 1.0 / (1.0 / first + 1.0 / second)
 
 
-def row_of(run, speed, bed):
+def row_of(run, speed, bed, wall):
     row = measured(run, speed) | {"bed": bed}
-    inside = penetration(bed["conductivity"], bed["heat"], row["contact_time"])
-    row |= {"schluender": in_series(at_wall_schluender(bed), inside),
-            "sullivan_sabersky": in_series(at_wall_sullivan_sabersky(bed), inside),
-            "at_wall": 1.0 / (1.0 / row["coefficient"] - 1.0 / inside)}
-    return row
+    inside = penetration(bed, row["contact_time"])
+    return row | {name: in_series(at_wall, inside) for name, at_wall in wall.items()} | {
+        "at_wall": 1.0 / (1.0 / row["coefficient"] - 1.0 / inside)}
+
+
+def over(row, correlation):
+    return f"{100.0 * (row['coefficient'] / row[correlation] - 1.0):+.0f}"
 
 
 def table(rows):
@@ -109,8 +114,8 @@ def table(rows):
              "k, W/(m K)": row["bed"]["conductivity"], "flow, kg/(m² s)": row["flow"],
              "outlet, K": f"{row['outlet']:.1f}", "overall U, W/(m² K)": row["overall"], "h, W/(m² K)": row["coefficient"],
              "Sullivan and Sabersky": row["sullivan_sabersky"],
-             "h over it, %": f"{100.0 * (row['coefficient'] / row['sullivan_sabersky'] - 1.0):+.0f}",
-             "Schlünder": row["schluender"], "h over it, % ": f"{100.0 * (row['coefficient'] / row['schluender'] - 1.0):+.0f}",
+             "h over it, %": over(row, "sullivan_sabersky"),
+             "Schlünder": row["schluender"], "h over it, % ": over(row, "schluender"),
              "at the wall, W/(m² K)": row["at_wall"]} for row in rows]
 
 
@@ -133,22 +138,17 @@ def picture(rows):
 
 
 def main():
-    below = pathlib.Path("benchmarks")
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default=None, help="the program (default: $REPOSE or the one built)")
-    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / below / "heat_exchanger", help="a folder")
-    parser.add_argument("--results", type=pathlib.Path, default=ROOT / below / "results" / "heat_exchanger",
-                        help="where exchanger.json and its picture go")
+    parser = usual_options(__doc__, "heat_exchanger")
     parser.add_argument("--at-a-time", type=int, default=2, help="runs, each on one core")
     options = parser.parse_args()
     options.work.mkdir(parents=True, exist_ok=True)
     with ThreadPoolExecutor(options.at_a_time) as pool:
         runs = list(pool.map(lambda speed: exchange(options, speed), SPEEDS))
-    rows = [row_of(run, speed, gas_and_bed(options, run)) for run, speed in zip(runs, SPEEDS)]
+    gas = air(options)
+    wall = {"schluender": at_wall_schluender(gas, runs[0].deck), "sullivan_sabersky": at_wall_sullivan_sabersky(gas)}
+    rows = [row_of(run, speed, bed_of(options, run), wall) for run, speed in zip(runs, SPEEDS)]
     print_table(table(rows))
-    air = rows[0]["bed"]
-    save(options.results / "exchanger.json", rows=rows,
-         wall={"schluender": at_wall_schluender(air), "sullivan_sabersky": at_wall_sullivan_sabersky(air)})
+    save(options.results / "exchanger.json", rows=rows, air=gas, wall=wall)
     picture(rows).savefig(options.results / "exchanger.png", dpi=200)
 
 

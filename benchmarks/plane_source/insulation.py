@@ -1,16 +1,15 @@
 #!/usr/bin/python3
 """What the ideal evaluation of a plane source makes of its insulation, beside the thesis's readings; see README.md."""
 
-import argparse
 import json
-import os
 import pathlib
-import subprocess
 import sys
 import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from report import ROOT, print_table, save  # noqa: E402
+from report import ROOT, print_table, save, usual_options  # noqa: E402  (and where the package is)
+from repose.files import ReposeError  # noqa: E402
+from repose.program import call, set_options  # noqa: E402
 
 DECK = ROOT / "input" / "thermal_tps_mica.toml"
 READINGS = ROOT / "input" / "thermal_sensor.toml"  # Tables 5.1 to 5.3
@@ -53,7 +52,7 @@ class Instrument:
         values = {"sensor.radius": 1e-3 * radius_mm, "evaluation.power": power * scale, "synthetic.conductivity": k,
                   "synthetic.volumetric_heat": heat, "synthetic.duration": duration * scale**2, "synthetic.noise": 0,
                   **{f"synthetic.layer.0.{key}": value for key, value in zip(LAYER, layer)}, **changes}
-        sets = [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
+        sets = set_options(values)
         self.call("synthesise", DECK, *sets)
         self.call("tps", self.work / "transient.csv", "--deck", DECK, *sets)
         result = json.loads((self.work / "tps.json").read_text())["transients"][0]
@@ -61,10 +60,7 @@ class Instrument:
                 result["mean_deviation_K"])
 
     def call(self, tool, *words):
-        command = [self.program, "thermal", tool, *map(str, words), "--output", str(self.work)]
-        done = subprocess.run(command, capture_output=True, text=True)
-        if done.returncode != 0:
-            raise SystemExit(done.stderr.strip())
+        call(["thermal", tool, *words, "--output", self.work], program=self.program)
 
 
 def percent(ratio):
@@ -123,16 +119,13 @@ def choices(instrument):
 
 
 def main():
-    built = os.environ.get("REPOSE", str(ROOT / "build" / "release" / "src" / "repose"))
-    below = pathlib.Path("benchmarks")
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default=built, help="the program (default: $REPOSE or build/release/src/repose)")
-    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / below / "plane_source", help="a folder")
-    parser.add_argument("--results", type=pathlib.Path, default=ROOT / below / "results" / "plane_source",
-                        help="where insulation.json goes")
+    parser = usual_options(__doc__, "plane_source")
     options = parser.parse_args()
     instrument = Instrument(options)
-    tables = {study.__name__: study(instrument) for study in (readings, sheets, conductivities, choices)}
+    try:
+        tables = {study.__name__: study(instrument) for study in (readings, sheets, conductivities, choices)}
+    except ReposeError as error:
+        raise SystemExit(str(error)) from None
     for rows in tables.values():
         print_table(rows)
         print()

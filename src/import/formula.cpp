@@ -46,7 +46,7 @@ const std::map<std::string, Function, std::less<>>& functions() {
 /// By recursive descent, one function per level of precedence, the loosest first.
 class Parser {
  public:
-  Parser(std::string_view text, const VariableValue& value_of) : text_(text), value_of_(value_of) {}
+  Parser(std::string_view text, const NamedValue& value_of) : text_(text), value_of_(value_of) {}
 
   double whole() {
     const double value = disjunction();
@@ -189,9 +189,9 @@ class Parser {
     if (name.empty())
       fail(begin < text_.size() ? fmt::format("\"{}\" is not expected", text_[begin]) : "it ends early");
     if (name == "PI") return pi;
-    if (name.starts_with("v_")) return value_of_(name.substr(2));
     const auto found = functions().find(name);
     if (found == functions().end()) {
+      if (const std::optional<double> value = value_of_(name)) return *value;
       fail(fmt::format("\"{}\" is no constant, or known only while the simulation runs", name));
     }
     return call(name, found->second);
@@ -212,13 +212,13 @@ class Parser {
   }
 
   std::string_view text_;
-  const VariableValue& value_of_;
+  const NamedValue& value_of_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
 
 }  // namespace
 
-double evaluate(std::string_view formula, const VariableValue& value_of) { return Parser(formula, value_of).whole(); }
+double evaluate(std::string_view formula, const NamedValue& value_of) { return Parser(formula, value_of).whole(); }
 
 }  // namespace repose

@@ -213,19 +213,16 @@ void compute(Translation& to, Words& words) {
 
 /// The factor by which a formula of the radii, `c_NAME`, makes diameters larger; none when it is no such formula.
 std::optional<double> growth_factor(const std::string& formula, const std::set<std::string>& radius_computes) {
-  const auto diameter_for = [&](const std::string& radius) {
-    std::string text = formula;
-    for (const std::string& name : radius_computes) {
-      const std::string word = "c_" + name;
-      for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word))
-        text.replace(at, word.size(), radius);
-    }
-    return evaluate(text, [](const std::string& name) -> double { throw DeckError("no variable " + name); });
+  const auto diameter_for = [&](double radius) {
+    return evaluate(formula, [&](const std::string& name) -> std::optional<double> {
+      if (!name.starts_with("c_") || !radius_computes.contains(name.substr(2))) return {};
+      return radius;
+    });
   };
   try {
-    const double of_one = diameter_for("(1)");
+    const double of_one = diameter_for(1.0);
     const double factor = 0.5 * of_one;
-    if (std::fabs(diameter_for("(2)") - 2.0 * of_one) <= 1e-12 * of_one && factor >= 1.0) return factor;
+    if (std::fabs(diameter_for(2.0) - 2.0 * of_one) <= 1e-12 * of_one && factor >= 1.0) return factor;
   } catch (const DeckError&) {
     return {};
   }

@@ -94,7 +94,9 @@ std::string Variables::text(const std::string& name, const Place& place) const {
 
 double Variables::value(const std::string& formula, const Place& place, int depth) const {
   if (depth > deepest) refuse(place, fmt::format("formula \"{}\" names itself", formula));
-  const VariableValue value_of = [&](const std::string& name) {
+  const NamedValue value_of = [&](const std::string& known_as) -> std::optional<double> {
+    if (!known_as.starts_with("v_")) return {};
+    const std::string name = known_as.substr(2);
     return number_of(text(name, place, depth + 1), place, "variable " + name);
   };
   try {

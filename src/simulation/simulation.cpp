@@ -49,10 +49,11 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
   const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
   const double growth = greatest_growth(deck_, time_step_.step);
+  const double mass_growth = growth * growth * growth;
   const double largest = growth * insertion.largest_radius();
   const double adhesion_range = longest_holding_distance(materials_, smallest, largest);
   safe_step_ = longest_way / std::sqrt(3.0) * smallest;
-  if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion, growth * growth * growth);
+  if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion, mass_growth);
   const double heat_share = heat_ ? heat_->state().conductance().reach_share() : 0.0;
   const double longest = longest_skin(particles_.periodic, largest * (1.0 + heat_share) + adhesion_range);
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
@@ -60,7 +61,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
                      {deck_.neighbours.skin, horizon(outer_horizon_steps), longest, adhesion_range, heat_share});
   scene_.set_wall_skins(deck_, watch_.inner().horizon, watch_.outer().horizon);
   planned_ = insertion.planned;
-  mass_unit_ = MassUnit(planned_mass(insertion, materials_) * growth * growth * growth);
+  mass_unit_ = MassUnit(planned_mass(insertion, materials_) * mass_growth);
   sizes_ = std::move(insertion.sizes);
   pouring_ = Pouring(std::move(insertion.pours), time_step_.step);
   insert(insertion.now);
@@ -136,8 +137,9 @@ void Simulation::move(std::int64_t k, double dt) {
   const bool skin_used_up = notes.skin_used_up || scene_.held().skin_used_up(watch_.inner_marks(), particles_);
   const ListState state = agreed_list_state(skin_used_up);
   const bool enter = steps_ + 1 == pouring_.next_step() && pour();
-  const bool grown = growth_.enabled && (steps_ + 1) % growth_.every == 0 && grow();
-  renew_lists(enter || grown ? ListState::outer_stale : state);
+  const bool grows = growth_.enabled && (steps_ + 1) % growth_.every == 0;
+  if (grows) grow();
+  renew_lists(enter || grows ? ListState::outer_stale : state);
   evaluate_forces(dt);
   load_.count_step(pairs_.lanes(), particles_.ghosts());
   ++steps_;
@@ -162,13 +164,13 @@ bool Simulation::pour() {
 }
 
 /// All particles but held ones become larger; their masses follow when the lists are made anew.
-bool Simulation::grow() {
+void Simulation::grow() {
+  const double mass_factor = growth_.factor * growth_.factor * growth_.factor;
   for (std::size_t i = 0; i < particles_.owned; ++i) {
     if (materials_.is_held(particles_.material[i])) continue;
     particles_.record[i].radius *= growth_.factor;
-    if (heat_) heat_->multiply(growth_.factor * growth_.factor * growth_.factor, i, particles_);
+    if (heat_) heat_->multiply(mass_factor, i, particles_);
   }
-  return true;
 }
 
 /// Adds the particles that enter to those of the rank whose part of the domain they are in, without contacts.

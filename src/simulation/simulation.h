@@ -125,7 +125,7 @@ class Simulation {
 
   void insert(const NewParticles& all);
   bool pour();
-  bool grow();
+  void grow();
   void admit(ContactMemory& memory);
   void rebuild_lists();
   void rebuild_lists(ContactMemory memory);

@@ -5,8 +5,8 @@
 
 #include "deck/read_deck.h"
 #include "files/shared_file.h"
-#include "measurement/state_hash.h"
 #include "simulation/simulation.h"
+#include "simulation_counts.h"
 
 namespace repose::test {
 namespace {
@@ -29,8 +29,7 @@ std::vector<std::string> hashes(const Communicator& comm, const Deck& deck, Vect
     if (part == 2) simulation.set_wall_present("lid", false);
     simulation.advance(1500);
     simulation.check_guards();
-    all.push_back(
-        state_hash(simulation.comm(), simulation.particles(), simulation.pairs(), simulation.wall_contacts()));
+    all.push_back(hash_of(simulation));
   }
   return all;
 }

@@ -2,15 +2,13 @@
 // rank 0, alone.
 #include <gtest/gtest.h>
 
-#include "measurement/state_hash.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
+#include "simulation_counts.h"
 #include "support/small_discharge.h"
 
 namespace repose::test {
 namespace {
-
-std::string hash_of(const Simulation& s) { return state_hash(s.comm(), s.particles(), s.pairs(), s.wall_contacts()); }
 
 struct Outcome {
   std::vector<std::string> hashes;

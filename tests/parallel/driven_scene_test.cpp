@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "deck/read_deck.h"
-#include "measurement/state_hash.h"
 #include "measurement/wall_loads.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
+#include "simulation_counts.h"
 
 namespace repose::test {
 namespace {
@@ -121,7 +121,7 @@ Outcome run(const Communicator& comm, const std::vector<std::string>& overrides,
            measure_wall_loads(comm, level, s.walls(), s.materials(), s.particles(), s.wall_contacts())) {
         outcome.loads.push_back(load);
       }
-      outcome.hashes.push_back(state_hash(s.comm(), s.particles(), s.pairs(), s.wall_contacts()));
+      outcome.hashes.push_back(hash_of(s));
     }
   }
   outcome.rebuilds = s.counters().rebuilds;

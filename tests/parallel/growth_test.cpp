@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "measurement/state_hash.h"
 #include "scene/particles/sphere_mass.h"
 #include "simulation/phases.h"
 #include "simulation/setup.h"
 #include "simulation/simulation.h"
+#include "simulation_counts.h"
 #include "support/levels.h"
 #include "support/small_discharge.h"
 
@@ -30,7 +30,7 @@ std::vector<std::string> hashes(const Communicator& comm, const Deck& deck, Vect
     for (int part = 0; part < 2; ++part) {
       simulation.advance(700);
       simulation.check_guards();
-      found.push_back(state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts()));
+      found.push_back(hash_of(simulation));
     }
   }
   return found;

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "heat/heat_figures.h"
-#include "measurement/state_hash.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
+#include "simulation_counts.h"
 #include "support/levels.h"
 #include "support/small_discharge.h"
 
@@ -35,8 +35,7 @@ Outcome run(const Communicator& comm, const Deck& deck, VectorLevel level = best
     for (int part = 0; part < 3; ++part) {
       simulation.advance(800);
       simulation.check_guards();
-      outcome.hashes.push_back(
-          state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts()));
+      outcome.hashes.push_back(hash_of(simulation));
       outcome.figures = measure_heat(comm, simulation.materials(), *simulation.heat(), simulation.particles());
     }
   }

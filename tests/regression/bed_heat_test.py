@@ -3,7 +3,6 @@
 Usage: bed_heat_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 """
 
-import csv
 import json
 import os
 import re
@@ -80,9 +79,12 @@ class Heat(SharedFolderTest):
             file.writelines(",".join(repr(float(x)) for x in row) + f",{RADIUS!r},carbohsp\n" for row in positions)
         return name
 
-    def last_snapshot(self, name):
+    def run_of(self, name):
         import repose
-        return repose.Run(self.path(name)).snapshots[-1]
+        return repose.Run(self.path(name))
+
+    def last_snapshot(self, name):
+        return self.run_of(name).snapshots[-1]
 
     def network(self, snapshot, low, high, *overrides, solid=SOLID):
         """The row at TEMPERATURE of `repose thermal network`, its porosity beside it."""
@@ -153,10 +155,8 @@ class Heat(SharedFolderTest):
         self.append(lattice, "[output]\nseries_interval = 30.0\n")
         self.program.run(lattice, self.path("lattice"))
         snapshot = self.last_snapshot("lattice")
-        with open(self.path("lattice", "walls.csv")) as file:
-            rows = list(csv.DictReader(file))
-        times = [float(row["time_s"]) for row in rows[-2:]]
-        flux = {name: (float(rows[-1][f"{name}_heat_J"]) - float(rows[-2][f"{name}_heat_J"])) / (times[1] - times[0]) / PERIOD ** 2
+        walls = self.run_of("lattice").walls
+        flux = {name: np.diff(walls[f"{name}_heat_J"][-2:])[0] / np.diff(walls["time_s"][-2:])[0] / PERIOD ** 2
                 for name in ("cold", "hot")}
         self.assertAlmostEqual(flux["hot"] / -flux["cold"], 1.0, delta=1e-9)
         layer = np.rint((snapshot.position[:, 2] - RADIUS) / spacing_z)

@@ -31,8 +31,10 @@ std::string error_of(const std::string& script) {
 }
 
 double value(const std::string& formula) {
-  return evaluate(formula,
-                  [](const std::string& name) -> double { return name == "two" ? 2.0 : throw DeckError("no"); });
+  return evaluate(formula, [](const std::string& name) -> std::optional<double> {
+    if (!name.starts_with("v_")) return {};
+    return name == "v_two" ? 2.0 : throw DeckError("no");
+  });
 }
 
 using Lines = std::vector<std::string>;

@@ -13,13 +13,12 @@ ACROSS = {"x": (1, 2), "y": (0, 2), "z": (0, 1)}  # what is seen along each axis
 
 
 def powers(run):
-    """Of each wall that gives heat: times and what it gives between two rows, W."""
+    """What each wall that gives heat gives between two rows of walls.csv, W."""
     loads = run.walls
     if loads is None or loads.rows < 2:
         return {}
     names = [name[:-7] for name in loads if name.endswith("_heat_J")]
-    times = loads["time_s"]
-    return {name: (times, np.diff(loads[f"{name}_heat_J"]) / np.diff(times)) for name in names
+    return {name: np.diff(loads[f"{name}_heat_J"]) / np.diff(loads["time_s"]) for name in names
             if np.ptp(loads[f"{name}_heat_J"]) > 0.0}
 
 
@@ -41,9 +40,9 @@ def heat(run):
     mark_phases(axes, series, run.deck)
     if given:
         below = all_axes[1, 0]
-        factor, unit = prefixed(max(np.abs(power).max() for _, power in given.values()), "W")
-        for name, (times, power) in given.items():
-            below.stairs(factor * power, times, baseline=None, label=name)
+        factor, unit = prefixed(max(np.abs(power).max() for power in given.values()), "W")
+        for name, power in given.items():
+            below.stairs(factor * power, run.walls["time_s"], baseline=None, label=name)
         below.set_ylabel(f"heat from walls, {unit}")
         below.legend(ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.3))
     over_time(all_axes[-1, 0], series)

@@ -51,6 +51,15 @@ void check_wall(const std::string& section, const WallHeatDeck& wall, DeckErrors
   }
 }
 
+void check_box(const std::string& section, const PhaseHeatDeck& box, DeckErrors& errors) {
+  if (!(box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z)) {
+    errors.add(section + ".max", "\"max\" must be above \"min\" in all three directions");
+  }
+  if (std::isnan(box.temperature) && std::isnan(box.power)) {
+    errors.add(section, "neither \"temperature\" nor \"power\" is given; give one");
+  }
+}
+
 }  // namespace
 
 void check_heat(const Deck& deck, DeckErrors& errors) {
@@ -74,6 +83,11 @@ void check_heat(const Deck& deck, DeckErrors& errors) {
   }
   for (std::size_t i = 0; i < deck.phases.size(); ++i) {
     check_on(fmt::format("phase.{}.mechanics", i), !deck.phases[i].mechanics);
+    for (std::size_t k = 0; k < deck.phases[i].heat.size(); ++k) {
+      const std::string section = fmt::format("phase.{}.heat.{}", i, k);
+      check_on(section, true);
+      check_box(section, deck.phases[i].heat[k], errors);
+    }
   }
 }
 

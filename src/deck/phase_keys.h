@@ -77,6 +77,24 @@ void describe(V& v, GrowthDeck& g) {
   v("every", g.every, Unit::none, from_to(1, 1000000), required, "steps between two times; each makes new lists");
 }
 
+/// [[phase.heat]]: heat for the particles in a box.
+struct PhaseHeatDeck {
+  Vec3 min;
+  Vec3 max;
+  double temperature = unset;
+  double power = unset;
+};
+
+template <class V>
+void describe(V& v, PhaseHeatDeck& h) {
+  v("min", h.min, Unit::metre, any_value, required, "lowest corner of the box");
+  v("max", h.max, Unit::metre, any_value, required, "highest corner of the box");
+  v("temperature", h.temperature, Unit::kelvin, above_to(0, 5000), optional_else("as it is"),
+    "of the particles that are in the box when the phase begins");
+  v("power", h.power, Unit::watt, any_value, optional_else("none"),
+    "into each particle while it is in the box during the phase; below 0 it cools");
+}
+
 struct PhaseDeck {
   std::string name;
   PhaseUntil until = PhaseUntil::time;
@@ -89,6 +107,7 @@ struct PhaseDeck {
   std::vector<std::string> remove_walls;
   std::vector<std::string> add_walls;
   GrowthDeck growth;
+  std::vector<PhaseHeatDeck> heat;
 };
 
 template <class V>
@@ -112,6 +131,8 @@ void describe(V& v, PhaseDeck& p) {
   v("remove_walls", p.remove_walls, Unit::none, any_value, optional, "walls that vanish at the start of the phase");
   v("add_walls", p.add_walls, Unit::none, any_value, optional, "walls that appear at the start of the phase");
   v.section("growth", p.growth, optional, "particles that grow: a way to dense packings");
+  v.sections("heat", p.heat, optional,
+             "heat for the particles in a box, of several the last that holds one; needs [heat]");
 }
 
 }  // namespace repose

@@ -7,27 +7,40 @@
 
 namespace repose {
 
+namespace {
+
+/// Simulated over true effective modulus of two materials: compliances add.
+double stiffness_ratio(const MaterialDeck& a, const MaterialDeck& b) {
+  const auto compliance = [](const MaterialDeck& m) {
+    return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
+  };
+  const double share_of_b = compliance(b) / (compliance(a) + compliance(b));
+  return a.stiffness_ratio + share_of_b * (b.stiffness_ratio - a.stiffness_ratio);
+}
+
+}  // namespace
+
 Conductance::Conductance(const Deck& deck) : deck_(deck.heat) {
   for (const MaterialDeck& m : deck.materials) {
     tables_.emplace_back(m);
     emissivity_.push_back(m.emissivity);
   }
   for (const MaterialDeck& a : deck.materials) {
-    // Compliances add: of materials that are simulated with the same modulus, a pair has the mean of their ratios.
-    for (const MaterialDeck& b : deck.materials)
-      stiffness_root_.push_back(std::cbrt(0.5 * (a.stiffness_ratio + b.stiffness_ratio)));
+    for (const MaterialDeck& b : deck.materials) stiffness_root_.push_back(std::cbrt(stiffness_ratio(a, b)));
   }
   if (deck_.gas == GapGas::air) gas_.emplace(deck_.pressure);
 }
 
 /// Radius in m of the circle by which a contact conducts. Hertz: as thermal network has it; intersection: that of the
-/// circle in which the spheres cut, by its area as LIGGGHTS's heat/gran has it.
+/// circle in which the spheres cut, by its area as LIGGGHTS's heat/gran has it. Both are those of grains with their
+/// true stiffness, whose overlap is smaller by the square of the root.
 double Conductance::contact_circle(double r1, double r2, double distance, double stiffness_root) const {
   const double overlap = r1 + r2 - distance;
   if (!(overlap > 0.0)) return 0.0;
   if (deck_.conductance == ContactConductance::hertz) return std::sqrt(r1 * r2 / (r1 + r2) * overlap) * stiffness_root;
-  const double product = (distance - r1 - r2) * (distance + r1 - r2) * (distance - r1 + r2) * (distance + r1 + r2);
-  return 0.5 * std::sqrt(std::max(0.0, -product)) / distance;
+  const double d = r1 + r2 - overlap * stiffness_root * stiffness_root;
+  const double product = (d - r1 - r2) * (d + r1 - r2) * (d - r1 + r2) * (d + r1 + r2);
+  return 0.5 * std::sqrt(std::max(0.0, -product)) / d;
 }
 
 /// W/K through the circle of the contact.

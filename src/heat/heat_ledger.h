@@ -11,7 +11,7 @@ namespace repose {
 /// Where the heat of a run has come from and gone to, in units: on one rank, to be summed over all.
 struct HeatLedger {
   HeatSum brought;             ///< with the particles that entered
-  HeatSum sources;             ///< made in the grains
+  HeatSum sources;             ///< made in the grains, or set ([[phase.heat]])
   HeatSum kept;                ///< given to isothermal particles to keep their temperature
   HeatSum left;                ///< with the particles that left
   std::vector<HeatSum> walls;  ///< given by each wall

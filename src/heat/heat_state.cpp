@@ -45,6 +45,10 @@ double HeatState::mass(double radius, std::int32_t material) const {
 std::int64_t HeatState::entering(std::int64_t id, double radius, std::int32_t material, double in_file) const {
   const double of_block = block_of(id).temperature;
   const double temperature = !std::isnan(of_block) ? of_block : !std::isnan(in_file) ? in_file : temperature_of_rest_;
+  return heat_at(temperature, radius, material);
+}
+
+std::int64_t HeatState::heat_at(double temperature, double radius, std::int32_t material) const {
   const double energy = conductance_.table(solid(material)).energy(temperature);
   return std::llrint(mass(radius, material) * energy * unit_.per_joule());
 }

@@ -27,6 +27,8 @@ class HeatState {
   /// Heat in units with which the particle `id` enters: at the temperature of its block, else of the file it comes from
   /// (`in_file`, NaN without one), else of the deck.
   std::int64_t entering(std::int64_t id, double radius, std::int32_t material, double in_file) const;
+  /// Heat in units of a particle at `temperature` K.
+  std::int64_t heat_at(double temperature, double radius, std::int32_t material) const;
   /// K of an owned particle.
   double temperature(const Particles& particles, std::size_t i) const;
   /// J/K of an owned particle at `temperature` K.

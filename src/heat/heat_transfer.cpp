@@ -24,6 +24,7 @@ constexpr double undetermined = std::numeric_limits<double>::quiet_NaN();
 HeatTransfer::HeatTransfer(const Deck& deck, const MaterialTable& materials, const Insertion& insertion, double growth)
     : state_(deck, materials, insertion, growth),
       every_(deck.heat.every),
+      boxes_(deck),
       ledger_(HeatLedger::none(deck.walls.size())) {
   for (const WallDeck& wall : deck.walls) walls_.push_back(wall.heat);
   wall_temperature_.assign(walls_.size(), undetermined);
@@ -41,6 +42,17 @@ void HeatTransfer::multiply(double mass_factor, std::size_t i, Particles& partic
   const std::int64_t grown = std::llrint(static_cast<double>(particles.heat[i]) * mass_factor);
   ledger_.brought.add(grown - particles.heat[i]);
   particles.heat[i] = grown;
+}
+
+void HeatTransfer::warm(Particles& particles) {
+  if (boxes_.is_empty()) return;
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    const double temperature = boxes_.temperature(particles.position(i));
+    if (std::isnan(temperature) || is_parked(particles.record[i])) continue;
+    const std::int64_t warm = state_.heat_at(temperature, particles.record[i].radius, particles.material[i]);
+    ledger_.sources.add(warm - particles.heat[i]);
+    particles.heat[i] = warm;
+  }
 }
 
 void HeatTransfer::take_leavers(Particles& particles) {
@@ -184,7 +196,7 @@ void HeatTransfer::exchange_walls(const HeatScene& scene, std::span<const WallFl
 
 void HeatTransfer::add_sources(const HeatScene& scene, const Particles& particles) {
   for (std::size_t i = 0; i < particles.owned; ++i) {
-    const double power = state_.heating(particles, i);
+    const double power = state_.heating(particles, i) + (boxes_.is_empty() ? 0.0 : boxes_.power(particles.position(i)));
     if (power == 0.0 || is_parked(particles.record[i])) continue;
     const std::int64_t units = flow(power * scene.step, i);
     gain_[i] += units;

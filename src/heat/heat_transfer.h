@@ -10,6 +10,7 @@
 #include "domain/ghost_exchange.h"
 #include "heat/heat_ledger.h"
 #include "heat/heat_state.h"
+#include "heat/phase_heat.h"
 #include "neighbours/pair_lists.h"
 
 namespace repose {
@@ -46,6 +47,10 @@ class HeatTransfer {
   void enter(double temperature, Particles& particles);
   /// A particle grows by more of the same, as warm as it is.
   void multiply(double mass_factor, std::size_t i, Particles& particles);
+  /// Which boxes of [[phase.heat]] there are from now on.
+  void begin_phase(const std::string& name) { boxes_.begin_phase(name); }
+  /// Gives the particles in the boxes of the phase their temperatures.
+  void warm(Particles& particles);
   /// Takes the heat of parked particles out.
   void take_leavers(Particles& particles);
   /// Collective. The next thermal step; what went wrong first on this rank.
@@ -84,6 +89,7 @@ class HeatTransfer {
   HeatState state_;
   std::int64_t every_;
   std::vector<WallHeatDeck> walls_;
+  PhaseHeat boxes_;
   HeatLedger ledger_;
   std::vector<double> wall_temperature_;
   // While a thermal step is made:

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "import/formula.h"
 #include "import/grain_list.h"
+#include "import/heat_commands.h"
 #include "import/translate.h"
 
 namespace repose {
@@ -146,6 +147,13 @@ double unit_of(const std::string& key, const ScriptUnits& units) {
 
 /// set STYLE ID KEY VALUE ...
 void set(Translation& to, Words& words) {
+  const std::vector<std::string>& all = words.command().words;
+  if (all.size() > 3 && all[3] == "property/atom") {
+    const std::string style = words.word("which grains");
+    const std::string id = words.word("which grains");
+    words.expect("property/atom");
+    return set_atom_property(to, words, style, id);
+  }
   if (comes_too_late(to, words)) return;
   note_insertions(to, words);
   const std::vector<Grain*> grains = chosen_grains(to, words);
@@ -263,7 +271,8 @@ const Translations& grain_commands() {
 }
 
 const Translations& grain_fixes() {
-  static const Translations fixes = {{"freeze", freeze}, {"adapt", adapt}};
+  static const Translations fixes = {
+      {"freeze", freeze}, {"adapt", adapt}, {"heat/gran", translate_heat}, {"heat/gran/conduction", translate_heat}};
   return fixes;
 }
 

@@ -113,9 +113,12 @@ void note_unused(ImportedScene& scene, const ScriptModel& model) {
   const auto note = [&](const Place& place, const std::string& what, const std::string& reason) {
     scene.needless.push_back({place, what, reason});
   };
-  const std::set<std::string> used = properties_of(model);
+  const std::set<std::string> used = properties_of(scene, model);
   for (const auto& [name, property] : scene.properties) {
     if (!used.contains(name)) note(property.place, "fix property/global " + name, "the contact model does not use it");
+  }
+  for (const ScriptHeating& heating : scene.heatings) {
+    if (heating.from >= scene.runs.size()) note(heating.place, "set property/atom", "no run comes after it");
   }
   for (const auto& entry : scene.meshes) {
     const std::string& name = entry.first;
@@ -141,11 +144,12 @@ Draft draft_of(ImportedScene scene, const std::string& script, const TimeShares&
   write_domain(deck, scene, domain);
   write_materials(deck, scene, materials);
   write_contact(deck, scene, materials);
+  write_heat(deck, scene, materials.model());
   WallNames walls = write_walls(deck, scene, materials, domain);
   write_grain_blocks(deck, scene);
   write_insertions(deck, scene, materials, walls, domain);
   write_time(deck, scene, shares);
-  write_phases(deck, scene, walls);
+  write_phases(deck, scene, walls, domain);
   write_output(deck, scene);
   write_guards(deck);
   if (!scene.integrates) {

@@ -111,6 +111,7 @@ struct ScriptMesh {
   Vec3 shift = {};
   std::optional<Vec3> surface_velocity = {};
   std::optional<MotionDeck> surface_turn = {};
+  std::optional<double> temperature = {};  ///< K
   std::optional<double> feature_angle = {};
 };
 
@@ -123,6 +124,7 @@ struct ScriptWall {
   std::string shape = {};  ///< xplane, ..., zcylinder; empty: meshes
   std::array<double, 3> numbers{};
   std::optional<Vec3> surface_velocity = {};
+  std::optional<double> temperature = {};  ///< K, of a primitive
   std::vector<std::string> meshes = {};
   std::size_t from = 0;
   std::size_t until = never_removed;
@@ -144,6 +146,23 @@ struct ScriptGrowth {
   std::string name = {};  ///< of the fix
   double factor = 1.0;
   std::int64_t every = 1;  ///< steps
+  std::size_t from = 0;
+  std::size_t until = never_removed;
+};
+
+/// `fix heat/gran`
+struct ScriptHeat {
+  Place place = {};
+  double temperature = 0.0;  ///< K, of all grains at first
+  bool area_correction = false;
+};
+
+/// `set ... property/atom Temp | heatSource`: of the grains in a region.
+struct ScriptHeating {
+  Place place = {};
+  std::string region = {};                 ///< a block; empty: everywhere
+  std::optional<double> temperature = {};  ///< K
+  std::optional<double> power = {};        ///< W, in each grain
   std::size_t from = 0;
   std::size_t until = never_removed;
 };
@@ -201,6 +220,8 @@ struct ImportedScene {
   std::vector<ScriptInsertion> insertions = {};
   std::set<std::string> radius_computes = {};  ///< names of `compute ... property/atom radius`
   std::vector<ScriptGrowth> growths = {};
+  std::optional<ScriptHeat> heat = {};
+  std::vector<ScriptHeating> heatings = {};
   std::vector<Grain> grains = {};
   std::vector<Place> grain_places = {};  ///< commands that have made or changed the list
   std::vector<ScriptRun> runs = {};

@@ -38,6 +38,28 @@ double of_pair(const ImportedScene& scene, const std::string& name, int a, int b
 
 bool has_stiffnesses(const ScriptModel& model) { return model.normal == "hooke/stiffness"; }
 
+std::set<std::string> thermal_properties(const ScriptHeat& heat) {
+  std::set<std::string> names = {"thermalConductivity", "thermalCapacity"};
+  if (heat.area_correction) names.insert("youngsModulusOriginal");
+  return names;
+}
+
+/// What `fix heat/gran` knows of a type.
+void write_thermal(DeckText& deck, const ImportedScene& scene, int type) {
+  for (const std::string& name : thermal_properties(*scene.heat)) {
+    if (!scene.properties.contains(name))
+      refuse(scene.heat->place, fmt::format("fix heat/gran needs fix property/global {}, which is not there", name));
+  }
+  const auto key = [&](const char* name, const char* property_name, double unit) {
+    deck.key(name, of_type(scene, property_name, type) * unit, text(property(scene, property_name).place));
+  };
+  key("conductivity", "thermalConductivity", scene.units.conductivity());
+  key("specific_heat", "thermalCapacity", scene.units.specific_heat());
+  if (!scene.heat->area_correction) return;
+  const double ratio = of_type(scene, "youngsModulus", type) / of_type(scene, "youngsModulusOriginal", type);
+  deck.key("stiffness_ratio", ratio, text(property(scene, "youngsModulusOriginal").place));
+}
+
 void write_material(DeckText& deck, const ImportedScene& scene, const MaterialUsed& material) {
   const bool is_needed = !has_stiffnesses(*scene.model);
   const auto constant = [&](const std::string& name, double unit, double otherwise) {
@@ -55,6 +77,7 @@ void write_material(DeckText& deck, const ImportedScene& scene, const MaterialUs
   } else {
     deck.key("density", material.density, "of walls: not used");
   }
+  if (scene.heat) write_thermal(deck, scene, material.type);
 }
 
 /// What a pair of materials does, by both of them.
@@ -121,8 +144,9 @@ void write_materials(DeckText& deck, const ImportedScene& scene, const Materials
   }
 }
 
-std::set<std::string> properties_of(const ScriptModel& model) {
+std::set<std::string> properties_of(const ImportedScene& scene, const ScriptModel& model) {
   std::set<std::string> names = {"youngsModulus", "poissonsRatio"};
+  if (scene.heat) names.merge(thermal_properties(*scene.heat));
   if (has_stiffnesses(model)) {
     names.insert({"kn", "kt", "gamman", "gammat"});
   } else {
@@ -134,6 +158,17 @@ std::set<std::string> properties_of(const ScriptModel& model) {
   if (model.rolling == "epsd") names.insert("coefficientRollingViscousDamping");
   if (model.cohesion != "off") names.insert("cohesionEnergyDensity");
   return names;
+}
+
+void write_heat(DeckText& deck, ImportedScene& scene, const ScriptModel& model) {
+  if (!scene.heat) return;
+  deck.section("[heat]", scene.heat->place);
+  deck.key("temperature", scene.heat->temperature);
+  deck.key("conductance", "intersection");
+  deck.key("every", std::int64_t{1}, "as in LIGGGHTS; more is faster");
+  if (scene.heat->area_correction && model.normal != "hertz") {
+    scene.missing.push_back({scene.heat->place, "fix heat/gran", "area_correction is that of Hertz's contacts"});
+  }
 }
 
 void write_contact(DeckText& deck, const ImportedScene& scene, const MaterialsUsed& materials) {

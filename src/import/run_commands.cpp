@@ -27,7 +27,7 @@ bool begins_anew(const ImportedScene& scene) {
     });
   };
   return scene.runs.empty() || changes(scene.walls) || changes(scene.motions) || changes(scene.insertions) ||
-         changes(scene.growths);
+         changes(scene.growths) || changes(scene.heatings);
 }
 
 /// run N [upto]; runs between which nothing changes are one.
@@ -64,7 +64,7 @@ void unfix(Translation& to, Words& words) {
   const std::string style = found->second;
   to.scene.fixes.erase(found);
   if (end_fix(to.scene, name)) return;
-  if (style == "gravity" || style == "nve/sphere" || style == "freeze") {
+  if (style == "gravity" || style == "nve/sphere" || style == "freeze" || style.starts_with("heat/gran")) {
     return note_missing(to.scene, words.command(), fmt::format("{} lasts for the whole run", style));
   }
   note_needless(to.scene, words.command(), fmt::format("fix {} is not in the deck", style));

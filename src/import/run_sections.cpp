@@ -38,6 +38,19 @@ double expected_speed(const ImportedScene& scene) {
   return rounded_up(std::max(result, 1e-3));
 }
 
+void write_heating(DeckText& deck, const ImportedScene& scene, const ScriptHeating& heating, const Extent& domain) {
+  const Extent region = heating.region.empty() ? domain : scene.regions.at(heating.region).block;
+  const auto inside = [](const Vec3& x, const Extent& box) {
+    return Vec3{std::clamp(x.x, box.min.x, box.max.x), std::clamp(x.y, box.min.y, box.max.y),
+                std::clamp(x.z, box.min.z, box.max.z)};
+  };
+  deck.section("[[phase.heat]]", heating.place);
+  deck.key("min", inside(region.min, domain));
+  deck.key("max", inside(region.max, domain));
+  if (heating.temperature) deck.key("temperature", *heating.temperature);
+  if (heating.power) deck.key("power", *heating.power);
+}
+
 }  // namespace
 
 Extent domain_of(const ImportedScene& scene) {
@@ -79,7 +92,7 @@ void write_time(DeckText& deck, const ImportedScene& scene, const TimeShares& sh
   share("hooke_fraction", shares.hooke, usual.hooke_fraction);
 }
 
-void write_phases(DeckText& deck, const ImportedScene& scene, const WallNames& walls) {
+void write_phases(DeckText& deck, const ImportedScene& scene, const WallNames& walls, const Extent& domain) {
   for (std::size_t run = 0; run < scene.runs.size(); ++run) {
     std::vector<std::string> add;
     std::vector<std::string> remove;
@@ -98,6 +111,9 @@ void write_phases(DeckText& deck, const ImportedScene& scene, const WallNames& w
       deck.section("[phase.growth]", growth.place);
       deck.key("factor", growth.factor);
       deck.key("every", growth.every);
+    }
+    for (const ScriptHeating& heating : scene.heatings) {
+      if (heating.from <= run && run < heating.until) write_heating(deck, scene, heating, domain);
     }
   }
 }

@@ -19,7 +19,7 @@ struct TimeShares {
 
 /// [time], the [[phase]] sections, [output] and [guards].
 void write_time(DeckText& deck, const ImportedScene& scene, const TimeShares& shares);
-void write_phases(DeckText& deck, const ImportedScene& scene, const WallNames& walls);
+void write_phases(DeckText& deck, const ImportedScene& scene, const WallNames& walls, const Extent& domain);
 void write_output(DeckText& deck, const ImportedScene& scene);
 void write_guards(DeckText& deck);
 

@@ -93,7 +93,7 @@ const std::map<std::string, std::string>& missing_commands() {
 /// Styles of fixes that have no counterpart, with the beginning of their names.
 std::string reason_of_missing_fix(const std::string& style) {
   static const std::vector<std::pair<std::string, std::string>> reasons = {
-      {"heat/gran", "grains carry no heat"},
+      {"heat/gran", "of fix heat/gran conduction alone has a counterpart"},
       {"property/atom", "grains have no other properties"},
       {"viscous", "there is no drag"},
       {"drag", "there is no drag"},
@@ -190,6 +190,7 @@ bool is_in_use(const ImportedScene& scene, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   return scene.has_wall_of(name) || any(scene.motions, [&](const MeshMotion& moves) { return moves.mesh == name; }) ||
+         any(scene.heatings, [&](const ScriptHeating& heating) { return heating.region == name; }) ||
          any(scene.insertions, [&](const ScriptInsertion& insertion) {
            return insertion.distribution == name || insertion.region == name || insertion.face == name ||
                   has(scene.distributions.at(insertion.distribution).templates);

@@ -14,7 +14,10 @@ struct ScriptUnits {
   double acceleration() const { return length / (time * time); }
   double density() const { return mass / (length * length * length); }
   double pressure() const { return mass / (length * time * time); }
-  double stiffness() const { return mass / (time * time); }  ///< N/m
+  double power() const { return mass * length * length / (time * time * time); }
+  double conductivity() const { return power() / length; }                  ///< per kelvin
+  double specific_heat() const { return length * length / (time * time); }  ///< per kelvin
+  double stiffness() const { return mass / (time * time); }                 ///< N/m
 };
 
 inline constexpr ScriptUnits si_units{};

@@ -33,14 +33,20 @@ MotionDeck surface_turn(Words& words, const ScriptUnits& units) {
   return motion;
 }
 
+double temperature(Words& words) {
+  const double kelvin = words.number("the temperature");
+  if (!(kelvin > 0.0)) words.fail("a temperature is above 0");
+  return kelvin;
+}
+
 /// Keys of fix mesh/surface that change nothing here, with the number of their values.
 const std::map<std::string, int>& needless_keys() {
   static const std::map<std::string, int> keys = {
       {"verbose", 1},          {"heal", 1},
       {"precision", 1},        {"min_feature_length", 1},
-      {"stress", 1},           {"temperature", 1},
+      {"stress", 1},           {"curvature_tolerant", 1},
       {"mass_temperature", 1}, {"element_exclusion_list", 2},
-      {"reference_point", 3},  {"curvature_tolerant", 1},
+      {"reference_point", 3},
   };
   return keys;
 }
@@ -63,6 +69,8 @@ void read_mesh_key(const std::string& key, ScriptMesh& mesh, Translation& to, Wo
     mesh.surface_velocity = units.speed() * words.vector("the velocity of the surface");
   } else if (key == "surface_ang_vel") {
     mesh.surface_turn = surface_turn(words, units);
+  } else if (key == "temperature") {
+    mesh.temperature = temperature(words);
   } else if (key == "curvature") {
     mesh.feature_angle = words.number("the angle");
   } else if (key == "wear") {
@@ -138,8 +146,12 @@ void wall(Translation& to, Words& words) {
     const std::string key = words.word("a key");
     if (key == "shear") {
       wall.surface_velocity = shear(words, to.scene.units);
-    } else if (key.starts_with("store_force") || key == "temperature" || key == "contact_area") {
+    } else if (key == "temperature") {
+      wall.temperature = temperature(words);
+    } else if (key.starts_with("store_force")) {
       words.word(key);
+    } else if (key == "contact_area" && words.take("overlap")) {
+      // as heat.conductance has it
     } else if (const std::vector<std::string> rest = words.rest(); true) {
       note_missing(to.scene, words.command(), fmt::format("\"{}\" of a wall", key));
     }

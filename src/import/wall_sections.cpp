@@ -56,6 +56,13 @@ class WallWriter {
     deck_.key("velocity", velocity);
   }
 
+  void heat(std::optional<double> temperature) {
+    if (!temperature || !scene_.heat) return;
+    deck_.section("[wall.heat]");
+    deck_.key("type", "temperature");
+    deck_.key("temperature", *temperature);
+  }
+
   void write_primitive(const ScriptWall& wall) {
     const std::string& material = materials_.of_wall(wall, wall.type);
     const char axis = wall.shape[0];
@@ -76,6 +83,7 @@ class WallWriter {
       deck_.key("axis_direction", direction);
     }
     if (wall.surface_velocity) conveyor(*wall.surface_velocity);
+    heat(wall.temperature);
   }
 
   /// Where the STL file will lie: beside the deck, by its own name.
@@ -114,6 +122,7 @@ class WallWriter {
         write_motion(moves.motion, moves.place, moves.from, moves.until);
       }
     }
+    heat(mesh.temperature);
   }
 
   void write_face(const std::string& name) {

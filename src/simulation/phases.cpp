@@ -23,6 +23,7 @@ std::int64_t longest_steps(const PhaseDeck& phase, double timestep) {
 Phase::Phase(const PhaseDeck& deck, Simulation& simulation) : Phase(deck, simulation, simulation.steps()) {
   for (const std::string& wall : deck.remove_walls) simulation.set_wall_present(wall, false);
   for (const std::string& wall : deck.add_walls) simulation.set_wall_present(wall, true);
+  simulation.warm();
 }
 
 Phase::Phase(const PhaseDeck& deck, Simulation& simulation, std::int64_t first_step)

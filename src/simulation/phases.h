@@ -17,7 +17,7 @@ std::int64_t longest_steps(const PhaseDeck& phase, double timestep);
 /// One phase of a run: changes the walls at its start and says when it is over.
 class Phase {
  public:
-  /// Collective. Adds and removes the phase's walls and starts its motions.
+  /// Collective. Adds and removes the phase's walls, starts its motions and sets temperatures.
   Phase(const PhaseDeck& deck, Simulation& simulation);
   /// Collective. Goes on with a phase that began at `first_step`.
   Phase(const PhaseDeck& deck, Simulation& simulation, std::int64_t first_step);

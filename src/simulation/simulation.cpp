@@ -109,6 +109,11 @@ void Simulation::begin_phase(const std::string& name) {
       std::find_if(deck_.phases.begin(), deck_.phases.end(), [&](const PhaseDeck& p) { return p.name == name; });
   moves_ = phase == deck_.phases.end() || phase->mechanics;
   growth_ = phase == deck_.phases.end() ? GrowthDeck{} : phase->growth;
+  if (heat_) heat_->begin_phase(name);
+}
+
+void Simulation::warm() {
+  if (heat_) heat_->warm(particles_);
 }
 
 /// At most so many steps in which nothing moves, up to the next thermal one. How many it were.

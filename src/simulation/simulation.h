@@ -65,8 +65,10 @@ class Simulation {
   /// Adds or removes a named wall from the next evaluation of the forces on. Contacts with a removed wall are
   /// forgotten.
   void set_wall_present(const std::string& name, bool present) { scene_.set_wall_present(name, present); }
-  /// Starts the motions and the tilt that belong to a phase, and stops the others.
+  /// Starts the motions, the tilt, the growth and the boxes of heat that belong to a phase, and stops the others.
   void begin_phase(const std::string& name);
+  /// Gives the particles in the boxes of the phase their temperatures.
+  void warm();
 
   /// What the contacts of the owned particles remember.
   ContactMemory contact_memory() const { return {pairs_.memory(particles_), wall_contacts_.memory(particles_.owned)}; }

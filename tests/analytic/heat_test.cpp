@@ -9,9 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "heat/conductance.h"
 #include "heat/gap_conductance.h"
 #include "heat/gas.h"
 #include "scene/particles/sphere_mass.h"
+#include "simulation/phases.h"
 #include "support/liggghts_trace.h"
 
 namespace repose::test {
@@ -232,6 +234,49 @@ TEST(Heat, SourcesAndIsothermalBlocks) {
   EXPECT_NEAR(scene.temperature(1), 300.0 + 500.0 * mass / conductance, 1e-6);
   const HeatLedger& ledger = scene.simulation().heat()->ledger_here();
   EXPECT_LT((ledger.sources + ledger.kept).units(), ledger.sources.units());
+}
+
+TEST(Heat, BoxesOfAPhaseSetTemperaturesAndHeatGrains) {
+  Deck deck = still_deck(2.0, 800.0, 1e-6);
+  deck.heat.every = 1000;
+  const Vec3 low{-1.0, -1.0, -1.0}, high{1.0, 1.0, 1.0};
+  deck.phases[0].heat = {{.min = low, .max = high, .temperature = 350.0, .power = 2e-3},
+                         {.min = {radius, -1.0, -1.0}, .max = high, .temperature = 400.0},
+                         {.min = {5.0 * radius, -1.0, -1.0}, .max = high, .power = -1e-3}};
+  PhaseDeck after = deck.phases[0];
+  after.name = "after";
+  after.heat.clear();
+  deck.phases.push_back(after);
+  WarmScene scene(deck, row(3, 2.0 * radius), std::vector<double>{300.0, 300.0, 300.0});
+  const double capacity = sphere_mass(radius, density) * 800.0;
+  const auto expect = [&](double first, double second, double third) {
+    EXPECT_NEAR(scene.temperature(0), first, 1e-9);
+    EXPECT_NEAR(scene.temperature(1), second, 1e-9);
+    EXPECT_NEAR(scene.temperature(2), third, 1e-9);
+  };
+  const Phase rest(deck.phases[0], scene.simulation());
+  expect(350.0, 400.0, 400.0);
+  scene.simulation().advance(50000);  // 50 ms
+  const double rise = 2e-3 * 0.05 / capacity;
+  expect(350.0 + rise, 400.0 + rise, 400.0 - 0.5 * rise);
+  const Phase last(deck.phases[1], scene.simulation());
+  scene.simulation().advance(50000);
+  expect(350.0 + rise, 400.0 + rise, 400.0 - 0.5 * rise);
+  const HeatLedger& ledger = scene.simulation().heat()->ledger_here();
+  const double joules = scene.simulation().heat()->state().unit().joules(ledger.sources.units());
+  EXPECT_NEAR(joules, capacity * (50.0 + 100.0 + 100.0 + 1.5 * rise), 1e-12);
+}
+
+TEST(Heat, ATrueStiffnessMakesTheOverlapOfAnIntersectionSmaller) {
+  Deck deck = still_deck(2.0, 800.0, 1e-6);
+  deck.heat.conductance = ContactConductance::intersection;
+  const auto conductance = [&](double overlap) {
+    const Conductance of(deck);
+    return of.of_pair({radius, 300.0, 0}, {radius, 300.0, 0}, 2.0 * radius - overlap);
+  };
+  const double narrow = conductance(1e-6);
+  for (MaterialDeck& m : deck.materials) m.stiffness_ratio = 1.0 / 64.0;  // (1/64)^(2/3) = 1/16
+  EXPECT_NEAR(conductance(16e-6) / narrow, 1.0, 1e-12);
 }
 
 TEST(Heat, TwoGrainsApartExchangeByGasAndRadiationAsTheNetworkHasIt) {

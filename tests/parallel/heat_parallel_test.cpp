@@ -18,6 +18,7 @@ Deck closed_box(bool crosses_gaps) {
     for (const char* key : {".conductivity=2.0", ".specific_heat=800.0", ".emissivity=0.9"})
       overrides.push_back(std::string(material) + key);
   }
+  overrides.push_back("phase.1.heat=[{min=[-1, -1, -1], max=[0, 1, 1], temperature=500, power=1e-4}]");
   if (crosses_gaps) overrides.insert(overrides.end(), {"heat.gas=air", "heat.radiation=true", "heat.max_gap=0.5"});
   return small_discharge(overrides);
 }

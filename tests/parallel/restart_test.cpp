@@ -128,6 +128,11 @@ remove_walls = ["stop"]
 [phase.growth]
 factor = 1.0005
 every = 130
+[[phase.heat]]
+min = [-0.008, -0.01, 0.0]
+max = [0.0, 0.01, 0.03]
+temperature = 450.0
+power = 0.001
 [measurement.discharge]
 orifice_height = 0.0
 [output]

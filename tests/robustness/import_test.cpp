@@ -18,16 +18,20 @@ constexpr int damaged_scripts = 500;
 /// Much of what scripts are made of.
 const std::string whole =
     std::string(
-        "variable r equal 0.004\nvariable k loop 2\nif \"${r} > 0\" then \"variable y equal 5e6\" else \"quit\"\n") +
+        "variable r equal 0.004\nvariable k loop 2\nif \"${r} > 0\" then \"variable y equal 5e6\" else \"quit\"\n"
+        "fix k all property/global thermalConductivity peratomtype 100\n"
+        "fix c all property/global thermalCapacity peratomtype 10\n"
+        "fix heat all heat/gran initial_temperature 300\n") +
     test::falling +
     "include more\nlabel again\nrun 10\nnext k\njump SELF again\n"
     "fix cad all mesh/surface file face.stl type 1 scale 0.1 rotate axis 1 0 0 angle 90 move 0 0 0.1 surface_vel 0.1 0 "
-    "0\n"
+    "0 temperature 350\n"
     "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad\n"
     "fix m all move/mesh mesh cad wiggle amplitude 0 0 0.001 period 0.1\nrun 10\nunfix m\n"
     "fix in all mesh/surface/planar file face.stl type 1 scale 0.1\n"
     "fix ins2 all insert/stream seed 10091 distributiontemplate d nparticles 20 massrate 0.1 vel constant 0 0 -1 &\n"
-    "  insertion_face in extrude_length 0.02\nrun 20\ndump d all custom 100 f id x y z\nthermo 100\n";
+    "  insertion_face in extrude_length 0.02\nset region fill property/atom Temp 800\n"
+    "set group all property/atom heatSource 0.1\nrun 20\ndump d all custom 100 f id x y z\nthermo 100\n";
 
 const std::string more =
     "create_atoms 1 single 0.08 0.08 0.05\nset atom 1 diameter 0.008 density 2000\ngroup g id 1\nfix f g freeze\n";

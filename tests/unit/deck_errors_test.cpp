@@ -472,6 +472,12 @@ TEST(DeckErrors, HeatAndWhatItNeeds) {
        "\"times\" must rise");
   says(with_hot({"material.0.heat_table={temperatures=[300], conductivities=[1], specific_heats=[800]}"}),
        "which it replaces; keep one");
+  const auto box = [](const std::string& rest) { return "phase.1.heat=[{min=[0, 0, 0], max=[1, 1, 1]" + rest + "}]"; };
+  says({box(", power=1")}, "there is no [heat]");
+  says(with_hot({box("")}), "neither \"temperature\" nor \"power\" is given; give one");
+  says(with_hot({"phase.1.heat=[{min=[0, 0, 0], max=[1, 0, 1], power=1}]"}),
+       "\"max\" must be above \"min\" in all three directions");
+  EXPECT_EQ(message_of(example_deck, with_hot({box(", power=1, temperature=400")})), "no error");
 }
 
 }  // namespace

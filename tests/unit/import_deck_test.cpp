@@ -330,6 +330,67 @@ TEST(ImportDeck, GrainsThatGrow) {
     EXPECT_EQ(reason(formula), "only diameters that grow by a factor have a counterpart") << formula;
 }
 
+const std::string carries_heat =
+    "fix k all property/global thermalConductivity peratomtype 100.\n"
+    "fix c all property/global thermalCapacity peratomtype 10.\n"
+    "fix heat all heat/gran initial_temperature 300.\n";
+
+TEST(ImportDeck, HeatOfGrainsAndWalls) {
+  std::string script = with("zplane 0", "zplane 0 temperature 350");
+  script.insert(script.find("run 1000"), carries_heat);
+  const auto [deck, imported] = import_text(
+      script + "region half block 0 INF INF INF INF INF units box\nset region half property/atom Temp 800.\nrun 50\n" +
+      "set region half property/atom heatSource 1.5\nset group all property/atom heatSource -2\nrun 50\nunfix ins\n"
+      "run 50\n");
+  EXPECT_TRUE(imported.missing.empty());
+  EXPECT_EQ(deck.materials[0].conductivity, 100.0);
+  EXPECT_EQ(deck.materials[0].specific_heat, 10.0);
+  EXPECT_EQ(deck.heat.temperature, 300.0);
+  EXPECT_EQ(deck.heat.every, 1);
+  EXPECT_EQ(deck.heat.conductance, ContactConductance::intersection);
+  EXPECT_TRUE(wall(deck, "floor").heat.enabled);
+  EXPECT_EQ(wall(deck, "floor").heat.temperature, 350.0);
+  ASSERT_EQ(deck.phases.size(), 4U);
+  EXPECT_TRUE(deck.phases[0].heat.empty());
+  ASSERT_EQ(deck.phases[1].heat.size(), 1U);
+  EXPECT_EQ(deck.phases[1].heat[0].temperature, 800.0);
+  EXPECT_EQ(deck.phases[1].heat[0].min, (Vec3{0.0, -0.1, 0.0}));
+  EXPECT_EQ(deck.phases[1].heat[0].max, deck.domain.max);
+  for (const std::size_t later : {2U, 3U}) {
+    ASSERT_EQ(deck.phases[later].heat.size(), 2U);
+    EXPECT_EQ(deck.phases[later].heat[0].power, 1.5);
+    EXPECT_EQ(deck.phases[later].heat[1].power, -2.0);
+  }
+}
+
+TEST(ImportDeck, HeatOfSoftenedGrainsAndInOtherUnits) {
+  std::string script = before_run(carries_heat + "fix o all property/global youngsModulusOriginal peratomtype 5e8\n");
+  script.replace(script.find("temperature 300."), 16, "temperature 300. area_correction yes");
+  EXPECT_DOUBLE_EQ(import_text(script).deck.materials[0].stiffness_ratio, 0.01);
+  script.replace(script.find("units si"), 8, "units cgs");
+  const Deck cgs = import_text(script).deck;
+  EXPECT_DOUBLE_EQ(cgs.materials[0].conductivity, 1e-3);
+  EXPECT_DOUBLE_EQ(cgs.materials[0].specific_heat, 1e-3);
+}
+
+TEST(ImportDeck, HeatThatIsNotLikeThat) {
+  const auto reason = [](const std::string& more) {
+    const auto noted = import_text(before_run(carries_heat + more)).imported.missing;
+    return noted.size() == 1 ? noted[0].reason : "no note";
+  };
+  EXPECT_EQ(reason("set group all property/atom charge 1\n"), "grains have no charge");
+  EXPECT_EQ(reason("set type 1 property/atom Temp 1\n"), "the heat of grains is set by region, or of all");
+  EXPECT_EQ(reason("region c cylinder z 0 0 0.1 0 1\nset region c property/atom Temp 1\n"),
+            "the heat of grains is set in blocks alone");
+  EXPECT_EQ(reason("unfix heat\n"), "heat/gran lasts for the whole run");
+  EXPECT_EQ(reason("fix h2 all heat/gran/radiation initial_temperature 3\n"),
+            "of fix heat/gran conduction alone has a counterpart");
+  EXPECT_EQ(error_of(before_run("fix heat all heat/gran initial_temperature 300.\n")),
+            "in.x:20: fix heat/gran needs fix property/global thermalCapacity, which is not there");
+  EXPECT_EQ(error_of(before_run(carries_heat + "set region none property/atom Temp 1\n")),
+            "in.x:23: no region \"none\" is defined above; there are: box, fill");
+}
+
 TEST(ImportDeck, RefusesWithTheLineAndTheReason) {
   EXPECT_EQ(error_of("units lj\n"), "in.x:1: units lj: only si and cgs are known");
   EXPECT_EQ(error_of("atom_style bond\n"),

@@ -47,6 +47,7 @@ class Snapshot:
     angular_velocity = array("angular_velocity", "rad/s; rows (x, y, z).")
     radius = array("radius", "m.")
     mass = array("mass", "kg.")
+    temperature = array("temperature", "K; of a run with [heat] alone.")
     material = array("material", "Place of each particle's material in `materials`.")
 
     def __getitem__(self, name):

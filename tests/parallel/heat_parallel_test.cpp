@@ -33,8 +33,8 @@ Outcome run(const Communicator& comm, const Deck& deck, VectorLevel level = best
   Outcome outcome;
   for (const PhaseDeck& phase_deck : deck.phases) {
     const Phase phase(phase_deck, simulation);
-    for (int part = 0; part < 3; ++part) {
-      simulation.advance(800);
+    for (int part = 0; part < 2; ++part) {
+      simulation.advance(500);
       simulation.check_guards();
       outcome.hashes.push_back(hash_of(simulation));
       outcome.figures = measure_heat(comm, simulation.materials(), *simulation.heat(), simulation.particles());
@@ -99,7 +99,7 @@ TEST(HeatParallel, ConservesEveryUnit) {
     return measure_heat(world, simulation.materials(), *simulation.heat(), simulation.particles());
   };
   const HeatFigures before = stored();
-  simulation.advance(6000);
+  simulation.advance(4500);
   simulation.check_guards();
   const HeatFigures after = stored();  // which would throw if one unit were lost
   EXPECT_EQ(before.stored, after.stored);
@@ -113,8 +113,8 @@ TEST(HeatParallel, LeavesTheStateOfOthersAlone) {
   cold.heat.enabled = false;
   Simulation with(world, deck, {}, best_vector_level());
   Simulation without(world, cold, {}, best_vector_level());
-  with.advance(2000);
-  without.advance(2000);
+  with.advance(1000);
+  without.advance(1000);
   for (std::size_t i = 0; i < with.particles().owned; ++i) {
     ASSERT_EQ(with.particles().id[i], without.particles().id[i]);
     ASSERT_EQ(with.particles().record[i].position, without.particles().record[i].position);

@@ -51,7 +51,7 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   const double steps = most_steps(deck, dt);
   for (const PhaseDeck& phase : deck.phases) {
     const auto longest = static_cast<double>(longest_steps(phase, dt.step));
-    const bool open_end = phase.until == PhaseUntil::kinetic_energy;
+    const bool open_end = may_never_hold(phase.until);
     report += fmt::format("phase       {}: {}{:.0f} steps ({:.4g} s)\n", phase.name, open_end ? "at most " : "",
                           longest, longest * dt.step);
   }

@@ -5,6 +5,8 @@
 namespace repose {
 namespace {
 
+constexpr std::int32_t every_wall = -1;
+
 const WallContact* find(std::span<const WallContact> contacts, int wall, int feature) {
   const auto found = std::find_if(contacts.begin(), contacts.end(), [&](const WallContact& c) {
     return c.wall == wall && c.feature == feature && !is_blank(c.history);
@@ -232,12 +234,25 @@ WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls
 }
 
 std::vector<WallContact> WallContacts::contacts(std::span<const Wall> walls, const Particles& particles) const {
-  std::vector<WallContact> all = contacts_;
-  std::erase_if(all, [](const WallContact& c) { return !(c.overlap > 0.0) && is_blank(c.history); });
+  return contacts_if(walls, particles, every_wall);
+}
+
+std::vector<WallContact> WallContacts::contacts_with(std::int32_t wall, std::span<const Wall> walls,
+                                                     const Particles& particles) const {
+  return contacts_if(walls, particles, wall);
+}
+
+std::vector<WallContact> WallContacts::contacts_if(std::span<const Wall> walls, const Particles& particles,
+                                                   std::int32_t only) const {
+  const auto is_asked = [&](std::int32_t wall) { return only == every_wall || only == wall; };
+  std::vector<WallContact> all;
+  for (const WallContact& c : contacts_) {
+    if (is_asked(c.wall) && (c.overlap > 0.0 || !is_blank(c.history))) all.push_back(c);
+  }
   TouchBuffer touches;
   for (const FaceGroup& group : faces_) {
     const Wall& wall = walls[static_cast<std::size_t>(group.wall)];
-    if (!wall.present) continue;
+    if (!wall.present || !is_asked(group.wall)) continue;
     for_each_lane(group, [&](std::int32_t particle, const ContactHistory& history) {
       const ParticleRecord& p = particles.record[static_cast<std::size_t>(particle)];
       if (is_parked(p)) return;

@@ -64,6 +64,9 @@ class WallContacts {
   bool for_each_near(std::span<const Wall> walls, const Particles& particles, double share, Visit&& visit) const;
   /// All that touch, in the order of the particles.
   std::vector<WallContact> contacts(std::span<const Wall> walls, const Particles& particles) const;
+  /// Those that touch one wall.
+  std::vector<WallContact> contacts_with(std::int32_t wall, std::span<const Wall> walls,
+                                         const Particles& particles) const;
   std::size_t in_lanes() const;  ///< particles in the lanes of faces
   std::size_t bytes() const {
     return bytes_of(candidates_) + bytes_of(candidate_walls_) + bytes_of(near_) + bytes_of(near_walls_) +
@@ -83,6 +86,8 @@ class WallContacts {
   FaceGroup& group_for(const Particles& particles, std::size_t particle, const Wall& wall, const WallTouch& touch);
   void add_lane(FaceGroup& group, std::int32_t particle, const ContactHistory& history);
   std::size_t bytes_of_faces() const;
+  std::vector<WallContact> contacts_if(std::span<const Wall> walls, const Particles& particles,
+                                       std::int32_t only) const;
   const WallContact* ancestor(std::span<const WallContact> before, std::span<const Wall> walls,
                               const TouchBuffer& touches, int touch) const;
 

@@ -43,7 +43,7 @@ ContactAlarms evaluate_walls(VectorLevel level, const WallLaw& law, std::span<Wa
 inline WallLaw wall_law(const MaterialTable& materials, std::int32_t material, const Wall& wall, double dt,
                         double max_overlap) {
   return {materials.pair(static_cast<std::size_t>(material), static_cast<std::size_t>(wall.material)), dt, max_overlap,
-          wall.travels ? &wall.placement : nullptr, wall.motions.empty() ? nullptr : &wall.placement.motion};
+          wall.travels ? &wall.placement : nullptr, wall.moves() ? &wall.placement.motion : nullptr};
 }
 
 /// Particles of one material near one face of a wall, and no other feature, in blocks whose second particles mean

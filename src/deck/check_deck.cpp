@@ -174,6 +174,7 @@ void check_deck(const Deck& deck, DeckErrors& errors) {
   check_particles(deck, errors);
   check_phases(deck, errors);
   check_motions(deck, errors);
+  check_servos(deck, errors);
   check_heat(deck, errors);
   check_measurement(deck, errors);
   if (deck.neighbours.inner_skin > deck.neighbours.skin) {

@@ -21,6 +21,13 @@ void check_phases(const Deck& deck, DeckErrors& errors);
 /// Axes and phases of motions and of the tilt, and what the measurements of both need (a part of check_deck).
 void check_motions(const Deck& deck, DeckErrors& errors);
 
+/// Axes, limits and phases of walls under load, and the phases that wait for them (a part of check_deck).
+void check_servos(const Deck& deck, DeckErrors& errors);
+
+/// That phases that are named are there (a part of check_deck).
+void check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
+                       DeckErrors& errors);
+
 /// The blocks of particles: amounts, regions, sizes (a part of check_deck).
 void check_particles(const Deck& deck, DeckErrors& errors);
 

@@ -14,17 +14,6 @@ void check_axis(const std::string& section, const Vec3& direction, DeckErrors& e
   errors.add(section + ".axis_direction", "\"axis_direction\" has length zero; it needs a direction");
 }
 
-void check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
-                       DeckErrors& errors) {
-  std::vector<std::string> phases;
-  for (const PhaseDeck& phase : deck.phases) phases.push_back(phase.name);
-  for (std::size_t k = 0; k < named.size(); ++k) {
-    if (std::find(phases.begin(), phases.end(), named[k]) != phases.end()) continue;
-    errors.add(fmt::format("{}.phases.{}", section, k),
-               fmt::format("unknown phase \"{}\"; the nearest is \"{}\"", named[k], nearest(named[k], phases)));
-  }
-}
-
 /// Whether a motion takes the images of a body along: it must not move it in a periodic direction, nor turn it out.
 bool suits(const MotionDeck& motion, Axis periodic) {
   const double Vec3::*direction = component(periodic);
@@ -70,6 +59,17 @@ void check_tilt_onset(const Deck& deck, DeckErrors& errors) {
 }
 
 }  // namespace
+
+void check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
+                       DeckErrors& errors) {
+  std::vector<std::string> phases;
+  for (const PhaseDeck& phase : deck.phases) phases.push_back(phase.name);
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    if (std::find(phases.begin(), phases.end(), named[k]) != phases.end()) continue;
+    errors.add(fmt::format("{}.phases.{}", section, k),
+               fmt::format("unknown phase \"{}\"; the nearest is \"{}\"", named[k], nearest(named[k], phases)));
+  }
+}
 
 void check_motions(const Deck& deck, DeckErrors& errors) {
   for (std::size_t i = 0; i < deck.walls.size(); ++i) {

@@ -33,9 +33,10 @@ void check_face(const std::string& section, const ParticlesDeck& p, const Deck& 
   if (wall.type != WallType::mesh && wall.type != WallType::rectangle) {
     errors.add(section + ".face", fmt::format("wall \"{}\" is neither a mesh nor a rectangle", p.face));
   }
-  if (wall.present || !wall.motions.empty()) {
-    errors.add(section + ".face",
-               fmt::format("wall \"{}\" would stand in the way; give it present = false and no motion", p.face));
+  if (wall.present || !wall.motions.empty() || wall.servo.enabled) {
+    errors.add(
+        section + ".face",
+        fmt::format("wall \"{}\" would stand in the way; give it present = false, no motion and no servo", p.face));
   }
   for (const PhaseDeck& phase : deck.phases) {
     if (std::find(phase.add_walls.begin(), phase.add_walls.end(), p.face) == phase.add_walls.end()) continue;

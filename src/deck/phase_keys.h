@@ -58,10 +58,13 @@ void describe(V& v, TiltDeck& t) {
   v("phases", t.phases, Unit::none, any_value, optional, "phases in which it tilts; none named: all");
 }
 
-enum class PhaseUntil { kinetic_energy, time, steps, tilt_onset };
+enum class PhaseUntil { kinetic_energy, time, steps, tilt_onset, servo, wall_force };
 constexpr auto enumerators(PhaseUntil) {
-  return std::array<std::string_view, 4>{"kinetic_energy", "time", "steps", "tilt_onset"};
+  return std::array<std::string_view, 6>{"kinetic_energy", "time", "steps", "tilt_onset", "servo", "wall_force"};
 }
+
+/// Whether a condition may never come to hold, so that the phase needs a max_time.
+constexpr bool may_never_hold(PhaseUntil until) { return until != PhaseUntil::time && until != PhaseUntil::steps; }
 
 /// [phase.growth]: all particles that move become larger, all alike.
 struct GrowthDeck {
@@ -101,8 +104,10 @@ struct PhaseDeck {
   double kinetic_energy = unset;  ///< kinetic_energy: mean translational energy per particle to fall below
   double time = unset;            ///< time: duration of the phase
   std::int64_t steps = 0;         ///< steps: length of the phase
+  std::string wall;               ///< wall_force: on which the force is looked at
+  double force = unset;           ///< wall_force: magnitude to be reached
   double min_time = 0.0;
-  double max_time = unset;  ///< ends the phase whatever its condition; required with kinetic_energy
+  double max_time = unset;  ///< ends the phase whatever its condition
   bool mechanics = true;    ///< false: nothing moves, heat alone goes on
   std::vector<std::string> remove_walls;
   std::vector<std::string> add_walls;
@@ -120,11 +125,15 @@ void describe(V& v, PhaseDeck& p) {
   v("time", p.time, Unit::second, above(0), required.when(p.until == PhaseUntil::time, "until = time"), "duration");
   v("steps", p.steps, Unit::none, at_least(1), required.when(p.until == PhaseUntil::steps, "until = steps"),
     "number of steps");
-  v("min_time", p.min_time, Unit::second, at_least(0), optional.when(by_energy, "until = kinetic_energy"),
+  const bool by_force = p.until == PhaseUntil::wall_force;
+  v("wall", p.wall, Unit::none, any_value, required.when(by_force, "until = wall_force"), "name of the wall");
+  v("force", p.force, Unit::newton, above(0), required.when(by_force, "until = wall_force"),
+    "ends when the magnitude of the grains' force on the wall is above");
+  v("min_time", p.min_time, Unit::second, at_least(0),
+    optional.when(by_energy || by_force || p.until == PhaseUntil::servo, "until = kinetic_energy, servo, wall_force"),
     "the condition is not asked before");
   v("max_time", p.max_time, Unit::second, above(0),
-    by_energy || p.until == PhaseUntil::tilt_onset ? required
-                                                   : optional_else("none; kinetic_energy and tilt_onset need it"),
+    may_never_hold(p.until) ? required : optional_else("none; all but time and steps need it"),
     "ends the phase whatever its condition says");
   v("mechanics", p.mechanics, Unit::none, any_value, optional,
     "false: every grain stays where it is and heat alone goes on; needs [heat]");

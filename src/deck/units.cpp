@@ -28,6 +28,7 @@ constexpr Symbol density[] = {{"kg/m3", 0}, {"g/cm3", 3}, {"t/m3", 3}, {"g/m3", 
 constexpr Symbol speed[] = {{"m/s", 0}, {"km/s", 3}, {"cm/s", -2}, {"mm/s", -3}, {"um/s", -6}};
 constexpr Symbol acceleration[] = {{"m/s2", 0}, {"cm/s2", -2}, {"mm/s2", -3}};
 constexpr Symbol joule[] = {{"J", 0}, {"kJ", 3}, {"mJ", -3}, {"uJ", -6}, {"nJ", -9}, {"pJ", -12}, {"fJ", -15}};
+constexpr Symbol newton[] = {{"N", 0}, {"kN", 3}, {"mN", -3}, {"uN", -6}, {"nN", -9}};
 constexpr Symbol mass_rate[] = {{"kg/s", 0}, {"t/s", 3}, {"g/s", -3}, {"mg/s", -6}};
 constexpr Symbol per_second[] = {{"1/s", 0}, {"1/ms", 3}};
 
@@ -73,6 +74,8 @@ Dimension dimension(Unit unit) {
       return {"an acceleration", acceleration};
     case Unit::joule:
       return {"an energy", joule};
+    case Unit::newton:
+      return {"a force", newton};
     case Unit::hertz:
       return {"a frequency", hertz};
     case Unit::angular_speed:

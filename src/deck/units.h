@@ -17,6 +17,7 @@ enum class Unit {
   speed,
   acceleration,
   joule,
+  newton,
   mass_rate,
   per_second,
   hertz,

@@ -8,6 +8,7 @@
 #include "base/vec3.h"
 #include "deck/heat_keys.h"
 #include "deck/key.h"
+#include "deck/servo_keys.h"
 
 /// Walls and motions.
 namespace repose {
@@ -78,6 +79,7 @@ struct WallDeck {
   Vec3 translate;                             ///< mesh: after scale and rotation
   double feature_angle = 20.0;                ///< mesh: degrees; facets that turn by less are one smooth surface
   std::vector<MotionDeck> motions;            ///< [[wall.motion]], the first one applied first
+  ServoDeck servo = {};                       ///< [wall.servo]
   WallHeatDeck heat = {};                     ///< [wall.heat]
 };
 
@@ -127,6 +129,7 @@ void describe(V& v, WallDeck& w) {
     "other edge from the corner, perpendicular to edge_u");
   describe_mesh(v, w);
   v.sections("motion", w.motions, optional, "moves the wall; several are applied one after the other");
+  v.section("servo", w.servo, optional, "moves the wall so that it presses with a given force");
   v.section("heat", w.heat, optional, "what heat the wall gives the grains; without it the wall keeps all heat in");
 }
 

@@ -42,7 +42,7 @@ void place_walls(const std::string& state, const std::string& file, double dt, s
   SimulationState simulation{{walls}};
   StateReader(json, file + ": state")("simulation", simulation);
   for (Wall& wall : walls) {
-    if (!wall.motions.empty()) place(wall, dt);
+    if (wall.moves()) place(wall, dt);
   }
 }
 

@@ -99,7 +99,7 @@ Criterion tightest(const TimeDeck& time, const TimeStep& limits) {
 /// The greatest speed that walls and particles on prescribed paths have.
 double driven_speed(const Deck& deck) {
   double speed = 0.0;
-  for (const WallDeck& wall : deck.walls) speed = std::max(speed, greatest_speed(wall.motions, deck.domain));
+  for (const WallDeck& wall : deck.walls) speed = std::max(speed, greatest_speed(wall, deck.domain));
   for (const ParticlesDeck& block : deck.particles) speed = std::max(speed, greatest_speed(block.motions, deck.domain));
   return speed;
 }

@@ -12,6 +12,9 @@ WallLoadSeries::WallLoadSeries(const Simulation& simulation, const std::string& 
       columns.push_back(wall.name + "_" + quantity);
     }
   }
+  for (const Wall& wall : simulation.walls()) {
+    if (wall.servo) columns.push_back(wall.name + "_way_m");
+  }
   for (const WallDeck& wall : simulation.deck().walls) {
     if (!wall.heat.enabled) continue;
     columns.insert(columns.end(), {wall.name + "_heat_J", wall.name + "_temperature_K"});
@@ -37,6 +40,9 @@ void WallLoadSeries::write(const Simulation& simulation) {
   std::vector<TimeSeries::Value> row = {simulation.steps(), simulation.time()};
   for (const WallLoad& load : loads) {
     for (const Vec3& v : {load.force, load.torque}) row.insert(row.end(), {v.x, v.y, v.z});
+  }
+  for (const Wall& wall : simulation.walls()) {
+    if (wall.servo) row.emplace_back(wall.servo->way());
   }
   add_heat(simulation, row);
   agree_after_root(simulation.comm(), [&] { series_->append(row); });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "scene/walls/unit_vector.h"
 
 namespace repose {
@@ -17,7 +19,7 @@ MovingScene::MovingScene(const Deck& deck, std::vector<Wall> walls)
 void MovingScene::set_wall_skins(const Deck& deck, double inner_horizon, double outer_horizon) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     if (!walls_[w].travels) continue;
-    const double speed = greatest_speed(deck.walls[w].motions, deck.domain);
+    const double speed = greatest_speed(deck.walls[w], deck.domain);
     walls_[w].inner_skin = inner_horizon * speed;
     walls_[w].outer_skin = outer_horizon * speed;
   }
@@ -25,20 +27,25 @@ void MovingScene::set_wall_skins(const Deck& deck, double inner_horizon, double 
 
 void MovingScene::begin_phase(const std::string& name) {
   held_.begin_phase(name);
-  for (Wall& wall : walls_) wall.motions.begin_phase(name);
+  for (Wall& wall : walls_) {
+    wall.motions.begin_phase(name);
+    if (wall.servo) wall.servo->begin_phase(name);
+  }
   const std::vector<std::string>& phases = tilt_.phases;
   tilts_ = tilt_.enabled && (phases.empty() || std::find(phases.begin(), phases.end(), name) != phases.end());
 }
 
 void MovingScene::set_wall_present(const std::string& name, bool present) {
   const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) { return w.name == name; });
-  if (wall != walls_.end()) wall->present = present;
+  if (wall == walls_.end()) return;
+  wall->present = present;
+  if (wall->servo) wall->servo->hold();
 }
 
 void MovingScene::place(double dt) {
   held_.place(dt);
   for (Wall& wall : walls_) {
-    if (!wall.motions.empty()) repose::place(wall, dt);
+    if (wall.moves()) repose::place(wall, dt);
   }
   if (tilt_steps_ > 0) tilt_gravity(dt);
 }
@@ -47,13 +54,31 @@ void MovingScene::step(double dt, Particles& particles) {
   held_.step(dt);
   held_.hold(particles);
   for (Wall& wall : walls_) {
-    if (wall.motions.empty()) continue;
+    if (!wall.moves()) continue;
     wall.motions.step();
+    if (wall.servo && wall.present) wall.servo->step(dt);
     repose::place(wall, dt);
   }
   if (!tilts_) return;
   ++tilt_steps_;
   tilt_gravity(dt);
+}
+
+std::optional<std::string> MovingScene::control(std::size_t wall, const WallResistance& grains, double dt) {
+  std::optional<std::string> told = walls_[wall].servo->control(grains, dt);
+  repose::place(walls_[wall], dt);
+  if (told) told = fmt::format("wall \"{}\": {}", walls_[wall].name, *told);
+  return told;
+}
+
+bool MovingScene::servos_hold(double dt) const {
+  bool any = false;
+  for (const Wall& wall : walls_) {
+    if (!wall.servo || !wall.servo->acts() || !wall.present) continue;
+    if (!wall.servo->holds(dt)) return false;
+    any = true;
+  }
+  return any;
 }
 
 void MovingScene::tilt_gravity(double dt) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,8 @@
 
 namespace repose {
 
-/// What moves by prescription: walls, held particles, and gravity when the apparatus tilts. Where they are is a
-/// function of the deck and of how many steps each has moved.
+/// What moves by prescription: walls, held particles, and gravity when the apparatus tilts; where they are is a
+/// function of the deck and of how many steps each has moved. And walls under load, which go where the grains let them.
 class MovingScene {
  public:
   MovingScene(const Deck& deck, std::vector<Wall> walls);
@@ -42,6 +43,11 @@ class MovingScene {
   void step(double dt, Particles& particles);
   /// Gives the held particles position, velocity and spin as they have to be now.
   void put_back(Particles& particles) const { held_.hold(particles); }
+
+  /// The servo of a wall chooses its speed by what the grains do. What it has to tell, with the name of the wall.
+  std::optional<std::string> control(std::size_t wall, const WallResistance& grains, double dt);
+  /// Whether every servo that acts on a wall that is there holds its target steadily, and there is one.
+  bool servos_hold(double dt) const;
 
   const std::vector<Wall>& walls() const { return walls_; }
   bool walls_travel() const { return walls_travel_; }

@@ -5,8 +5,22 @@
 #include <limits>
 
 #include "measurement/energies.h"
+#include "measurement/wall_loads.h"
 
 namespace repose {
+namespace {
+
+/// Collective. N, of the grains on a wall, its magnitude.
+double force_on(const std::string& name, const Simulation& simulation) {
+  const std::vector<Wall>& walls = simulation.walls();
+  const std::vector<WallLoad> loads =
+      measure_wall_loads(simulation.comm(), simulation.vector_level(), walls, simulation.materials(),
+                         simulation.particles(), simulation.wall_contacts());
+  const auto wall = std::find_if(walls.begin(), walls.end(), [&](const Wall& w) { return w.name == name; });
+  return norm(loads.at(static_cast<std::size_t>(wall - walls.begin())).force);
+}
+
+}  // namespace
 
 std::int64_t steps_for(double time, double timestep) {
   return std::max<std::int64_t>(0, static_cast<std::int64_t>(std::rint(time / timestep)));
@@ -40,6 +54,12 @@ std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::in
   if (deck_.until == PhaseUntil::kinetic_energy && is_asked) {
     const double mean = mean_kinetic_energy(simulation.comm(), simulation.materials(), simulation.particles());
     if (mean < deck_.kinetic_energy) return "kinetic_energy";
+  }
+  if (deck_.until == PhaseUntil::servo && is_asked && simulation.scene().servos_hold(simulation.time_step().step)) {
+    return "servo";
+  }
+  if (deck_.until == PhaseUntil::wall_force && is_asked && force_on(deck_.wall, simulation) > deck_.force) {
+    return "wall_force";
   }
   if (deck_.until == PhaseUntil::tilt_onset && seen) return "tilt_onset";
   if (done < longest_) return {};

@@ -48,10 +48,11 @@ void check_wall_speeds(const Deck& deck, const std::vector<Wall>& walls, const M
   }
   for (std::size_t w = 0; w < walls.size(); ++w) {
     if (!walls[w].travels) continue;
-    const double way = dt * greatest_speed(deck.walls[w].motions, deck.domain);
+    const double way = dt * greatest_speed(deck.walls[w], deck.domain);
     if (way < longest_way * smallest) continue;
     throw DeckError(fmt::format(
-        "wall \"{}\": its motions can take it {:.3g} m within the domain in one time step of {:.3g} s, {:.2g} of the "
+        "wall \"{}\": its motions and servo can take it {:.3g} m within the domain in one time step of {:.3g} s, "
+        "{:.2g} of the "
         "smallest radius {:.3g} m: beyond {} it could pass particles unseen; shorten time.step to {:.1e} s or slow it "
         "down",
         walls[w].name, way, dt, way / smallest, smallest, longest_way, 0.5 * dt * longest_way * smallest / way));

@@ -10,6 +10,7 @@
 #include "contact/adhesion_range.h"
 #include "domain/migration.h"
 #include "integration/velocity_verlet.h"
+#include "measurement/wall_resistance.h"
 #include "simulation/contact_alarm.h"
 #include "simulation/guards.h"
 #include "simulation/setup.h"
@@ -148,7 +149,23 @@ void Simulation::move(std::int64_t k, double dt) {
   evaluate_forces(dt);
   load_.count_step(pairs_.lanes(), particles_.ghosts());
   ++steps_;
+  control_servos();
 }
+
+/// The walls under load look at their forces, with the velocities of half a step ago however the steps are called.
+void Simulation::control_servos() {
+  for (std::size_t w = 0; w < walls().size(); ++w) {
+    const Wall& wall = walls()[w];
+    if (!wall.servo || !wall.present || !wall.servo->is_due(steps_)) continue;
+    clock_.enter(Stage::wall_contacts);
+    const double interval = static_cast<double>(wall.servo->every()) * time_step_.step;
+    const WallResistance grains = measure_resistance(comm_, level_, {static_cast<std::int32_t>(w), interval}, walls(),
+                                                     materials_, particles_, wall_contacts_);
+    if (const auto told = scene_.control(w, grains, time_step_.step)) warn(fmt::format("step {}: {}", steps_, *told));
+  }
+}
+
+void Simulation::warn(const std::string& what) { warning_ = warning_ ? *warning_ + "; " + what : what; }
 
 void Simulation::advance_heat() {
   clock_.enter(Stage::heat);
@@ -332,11 +349,11 @@ void Simulation::choose_list_horizon(std::size_t listed) {
 /// The criteria of the time step with the true greatest speed, with one warning in all.
 void Simulation::check_time_step() {
   const std::int64_t step = counters_.rebuilds == 0 ? steps_ : steps_ + 1;
-  std::optional<std::string> warning =
+  const std::optional<std::string> warning =
       repose::check_time_step(comm_, guard_view(step), time_step_, !warned_of_time_step_);
   if (!warning) return;
   warned_of_time_step_ = true;
-  warning_ = std::move(warning);
+  warn(*warning);
 }
 
 GuardView Simulation::guard_view(std::int64_t step) const {

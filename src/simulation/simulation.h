@@ -143,6 +143,8 @@ class Simulation {
   void move(std::int64_t k, double dt);
   std::int64_t stand_still(std::int64_t most);
   void advance_heat();
+  void control_servos();
+  void warn(const std::string& what);
   void evaluate_forces(double dt);
   bool evaluate_group(PairGroup& group, double dt);
 

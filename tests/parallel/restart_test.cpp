@@ -18,7 +18,8 @@
 namespace repose::test {
 namespace {
 
-/// Everything that has state of its own: a pour, walls that come and go and that move, held grains, a tilt, exits, all
+/// Everything that has state of its own: a pour, walls that come and go and that move, by prescription and
+/// under load, held grains, a tilt, exits, all
 /// the series, a periodic direction, heat, and particles that grow.
 const char* const scene = R"(
 [domain]
@@ -74,6 +75,21 @@ phases = ["shake"]
 [wall.heat]
 type = "power"
 power = 0.05
+[[wall]]
+name = "press"
+type = "rectangle"
+material = "glass"
+corner = [0.003, -0.008, 0.0065]
+edge_u = [0.003, 0.0, 0.0]
+edge_v = [0.0, 0.016, 0.0]
+[wall.servo]
+direction = [0.0, 0.0, -1.0]
+force = 2e-3
+max_speed = 0.1
+max_way = 0.005
+every = 7
+times = [0.0, 0.02, 0.04]
+factors = [0.5, 1.0, 0.1]
 [[wall]]
 name = "stop"
 type = "rectangle"
@@ -200,6 +216,8 @@ TEST_F(Restart, EndsAsARunThatWasNeverStopped) {
   EXPECT_GT(stops, 4);
   EXPECT_EQ(parts->restarts, stops - 1);
   EXPECT_EQ(parts->state_hash, whole->state_hash);
+  EXPECT_EQ(parts->figures["servos"], whole->figures["servos"]);
+  EXPECT_GT(parts->figures["servos"]["press"]["force_N"].get<double>(), 0.0);
   EXPECT_EQ(parts->inserted, 163);
   EXPECT_GT(parts->left, 0);
   EXPECT_EQ(parts->figures["discharged_mass_kg"], whole->figures["discharged_mass_kg"]);

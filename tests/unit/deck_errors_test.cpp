@@ -98,7 +98,7 @@ TEST(DeckErrors, KeysOfAnotherType) {
       {"time = 1\n", "time = 1\nsteps = 5\n",
        "74:1: \"steps\" of [[phase]] is only allowed with until = steps; remove it"},
       {"time = 1\n", "time = 1\nmin_time = 1\n",
-       "74:1: \"min_time\" of [[phase]] is only allowed with until = kinetic_energy; remove it"},
+       "74:1: \"min_time\" of [[phase]] is only allowed with until = kinetic_energy, servo, wall_force; remove it"},
       {"plate_height = -0.05", "plate_height = -0.05\ncamera_height = 0",
        "81:1: \"camera_height\" of [measurement.angle_of_repose] is only allowed with camera = perspective; remove it"},
   });
@@ -478,6 +478,34 @@ TEST(DeckErrors, HeatAndWhatItNeeds) {
   says(with_hot({"phase.1.heat=[{min=[0, 0, 0], max=[1, 0, 1], power=1}]"}),
        "\"max\" must be above \"min\" in all three directions");
   EXPECT_EQ(message_of(example_deck, with_hot({box(", power=1, temperature=400")})), "no error");
+}
+
+TEST(DeckErrors, ServosAndPhasesThatWaitForThem) {
+  const std::string start = "wall.0.servo={direction=[0,0,-1], force='20 mN', max_speed=0.1, max_way=";
+  const auto says = [&](const std::vector<std::string>& overrides, const std::string& words) {
+    EXPECT_NE(message_of(example_deck, overrides).find(words), std::string::npos)
+        << message_of(example_deck, overrides);
+  };
+  EXPECT_EQ(message_of(example_deck, {start + "0.01}"}), "no error");
+  says({"wall.0.servo={direction=[0,0,0], force=1, max_speed=0.1, max_way=1}"}, "it needs a direction");
+  says({"wall.0.servo={direction=[0,0,1], force=1, max_speed=0.1}"}, "[wall.servo] lacks \"max_way\"");
+  says({start + "0}"}, "are both 0: the wall could not move");
+  says({start + "0.01, min_way=0.001}"}, "min_way");
+  says({start + "0.01, times=[0, 1]}"}, "\"factors\"");
+  says({start + "0.01, times=[0, 1], factors=[1]}"}, "1 values for 2 times; give one each");
+  says({start + "0.01, times=[1, 0], factors=[1, 1]}"}, "\"times\" must rise");
+  says({start + "0.01, phases=['setle']}"}, "unknown phase \"setle\"; the nearest is \"settle\"");
+  says({"wall.0.servo={direction=[0,1,-1], force=1, max_speed=0.1, max_way=1}", "domain.periodic=['y']"},
+       "leads along the periodic direction y of the [domain]");
+  const auto waiting = [&](const std::string& keys) { return with("until = \"time\"\ntime = 1\n", keys); };
+  EXPECT_NE(
+      message_of(waiting("until = \"servo\"\nmax_time = 1\n")).find("needs a [wall.servo] that acts in this phase"),
+      std::string::npos);
+  EXPECT_EQ(message_of(waiting("until = \"servo\"\nmax_time = 1\n"), {start + "0.01, phases=['flow']}"}), "no error");
+  EXPECT_NE(message_of(waiting("until = \"servo\"\n")).find("\"max_time\""), std::string::npos);
+  EXPECT_NE(message_of(waiting("until = \"wall_force\"\nwall = \"flor\"\nforce = 1\nmax_time = 1\n"))
+                .find("unknown wall \"flor\"; the nearest is \"floor\""),
+            std::string::npos);
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ TEST(Units, JoinThePowerBeforeRounding) {
       {"300 mm/s", Unit::speed, 0.3},
       {"9810 mm/s2", Unit::acceleration, 9.81},
       {"100 fJ", Unit::joule, 1e-13},
+      {"2.5 mN", Unit::newton, 0.0025},
       {"2.5 kN/m", Unit::stiffness, 2500.0},
       {"0.21 W/(m K)", Unit::conductivity, 0.21},
       {"80 mW", Unit::watt, 0.08},

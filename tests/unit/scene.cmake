@@ -1,5 +1,5 @@
 repose_test(scene_wall_tests LABEL unit
-  SOURCES scene_flat_wall_test.cpp scene_profile_test.cpp scene_touch_test.cpp scene_motion_test.cpp
+  SOURCES scene_flat_wall_test.cpp scene_profile_test.cpp scene_touch_test.cpp scene_motion_test.cpp scene_servo_test.cpp
           scene_wall_surface_test.cpp
   LINK repose_scene)
 target_include_directories(scene_wall_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests)

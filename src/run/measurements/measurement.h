@@ -112,6 +112,7 @@ MeasurementKind surface_angle_measurement();
 MeasurementKind bulk_density_measurement();
 MeasurementKind retained_slope_measurement();
 MeasurementKind heat_measurement();
+MeasurementKind servo_measurement();
 
 struct GatheredGrains {
   std::vector<Sphere> spheres;

@@ -49,7 +49,8 @@ Placement placement_of(const MotionDeck& motion, double time, bool runs) {
   return placement;
 }
 
-/// `inner`, carried along by `outer`.
+}  // namespace
+
 Placement carried(const Placement& outer, const Placement& inner) {
   Placement both;
   const auto column = [&](double Vec3::*component) {
@@ -66,8 +67,6 @@ Placement carried(const Placement& outer, const Placement& inner) {
   both.motion.velocity = outer.motion.velocity + outer.turn(inner.motion.velocity) - cross(turning, outer.shift);
   return both;
 }
-
-}  // namespace
 
 void Motions::begin_phase(const std::string& phase) {
   for (std::size_t k = 0; k < motions_.size(); ++k) {

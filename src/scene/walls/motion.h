@@ -41,6 +41,9 @@ struct Placement {
   }
 };
 
+/// `inner`, carried along by `outer`.
+Placement carried(const Placement& outer, const Placement& inner);
+
 /// The prescribed motions of one body. The first is applied first, a later one carries its result along. Each advances
 /// during its phases only, so that where the body is depends on nothing but how many steps each has advanced.
 class Motions {

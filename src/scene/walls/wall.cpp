@@ -45,7 +45,8 @@ Wall make_wall(const WallDeck& deck, int material, const ReadFile& read_file) {
     wall.present = deck.present;
     wall.shape = made(deck, read_file, static_cast<const WallShape*>(nullptr));
     wall.motions = Motions(deck.motions);
-    wall.travels = is_moved(wall);
+    if (deck.servo.enabled) wall.servo.emplace(deck.servo);
+    wall.travels = is_moved(wall) || wall.servo;
     return wall;
   } catch (const std::invalid_argument& problem) {
     throw DeckError(fmt::format("wall \"{}\": {}", deck.name, problem.what()));
@@ -53,7 +54,8 @@ Wall make_wall(const WallDeck& deck, int material, const ReadFile& read_file) {
 }
 
 void place(Wall& wall, double dt) {
-  const Placement placement = wall.motions.placement(dt);
+  Placement placement = wall.motions.placement(dt);
+  if (wall.servo) placement = carried(wall.servo->placement(), placement);
   if (wall.travels) wall.placement = placement;
   wall.placement.motion = placement.motion;
 }

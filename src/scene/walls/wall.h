@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "deck/deck.h"
 #include "files/read_file.h"
 #include "scene/walls/motion.h"
+#include "scene/walls/servo.h"
 #include "scene/walls/wall_shape.h"
 
 namespace repose {
@@ -15,16 +17,20 @@ struct Wall {
   int material = 0;     ///< index into the deck's materials
   bool present = true;  ///< false until a phase adds it
   WallShape shape;
-  Motions motions;          ///< what moves it
-  bool travels = false;     ///< false: its motions leave its shape where it is, as a drum's about its own axis do
-  double inner_skin = 0.0;  ///< m, how far it may travel while an inner list is good
-  double outer_skin = 0.0;  ///< m, the same of an outer list
-  Placement placement;      ///< where its motions have brought it; as in the deck when it does not travel
+  Motions motions;             ///< what moves it by prescription
+  std::optional<Servo> servo;  ///< what moves it by the force of the grains
+  bool travels = false;        ///< false: its motions leave its shape where it is, as a drum's about its own axis do
+  double inner_skin = 0.0;     ///< m, how far it may travel while an inner list is good
+  double outer_skin = 0.0;     ///< m, the same of an outer list
+  Placement placement;         ///< where its motions have brought it; as in the deck when it does not travel
+
+  bool moves() const { return !motions.empty() || servo; }
 
   template <class Self, class Visitor>
   static void describe_state(Self& self, Visitor& v) {
     v("present", self.present);
     v("motions", self.motions);
+    if (self.servo) v("servo", *self.servo);
   }
 };
 
@@ -32,7 +38,7 @@ struct Wall {
 /// DeckError, naming the wall, when its shape makes no sense.
 Wall make_wall(const WallDeck& deck, int material, const ReadFile& read_file = {});
 
-/// Brings the wall to where its motions are after all steps so far of `dt` s.
+/// Brings the wall to where its motions and its servo are after all steps so far of `dt` s.
 void place(Wall& wall, double dt);
 
 /// Appends to `out` all features of the wall whose distance from `centre` is less than `reach` (m), tagged with the

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "comm/communicator.h"
+#include "contact/wall_contacts.h"
+
+namespace repose {
+
+/// A wall that could move along its servo's axis.
+struct PressingWall {
+  std::int32_t wall;  ///< its place among all
+  double interval;    ///< s, until the next look
+};
+
+/// Collective. The grains' force on a wall with a servo along its axis, and what the force would grow by if the wall
+/// moved at the servo's greatest speed for the interval while the grains stayed where they are: overlaps, tangential
+/// springs and dashpots by the contact law. Nothing changes; the same bits on any number of ranks.
+WallResistance measure_resistance(const Communicator& comm, VectorLevel level, const PressingWall& pressing,
+                                  std::span<const Wall> walls, const MaterialTable& materials,
+                                  const Particles& particles, const WallContacts& wall_contacts);
+
+}  // namespace repose

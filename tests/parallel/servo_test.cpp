@@ -1,0 +1,206 @@
+// Walls under load: a grain between two planes by the closed form, a plate of given weight on a bed, the same bits on
+// any number of ranks and whatever the lists, a wall that finds nothing.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "deck/read_deck.h"
+#include "measurement/wall_loads.h"
+#include "simulation/phases.h"
+#include "simulation/simulation.h"
+#include "simulation_counts.h"
+#include "support/scenes.h"
+
+namespace repose::test {
+namespace {
+
+const char* const plate_on_bed = R"(
+[domain]
+min = [-0.006, -0.006, -0.002]
+max = [0.006, 0.006, 0.03]
+[[material]]
+name = "glass"
+youngs_modulus = 5e6
+poisson_ratio = 0.25
+density = 2500.0
+[[pair]]
+materials = ["glass", "glass"]
+restitution = 0.6
+sliding_friction = 0.4
+rolling_friction = 0.05
+[[wall]]
+name = "tube"
+type = "profile"
+material = "glass"
+points = [[0.0, 0.0], [0.005, 0.0], [0.005, 0.03]]
+[[wall]]
+name = "plate"
+type = "disc"
+material = "glass"
+centre = [0.0, 0.0, 0.013]
+radius = 0.0052
+[wall.servo]
+direction = [0.0, 0.0, -1.0]
+force = 0.04
+max_speed = 0.2
+max_way = 0.012
+tolerance = 1e-3
+phases = ["press", "rest"]
+[[particles]]
+type = "fill"
+material = "glass"
+diameter = 0.001
+count = 500
+region = "cylinder"
+centre = [0.0, 0.0, 0.0]
+radius = 0.0049
+height = 0.012
+[time]
+step = 1e-5
+[[phase]]
+name = "fall"
+until = "steps"
+steps = 6000
+[[phase]]
+name = "press"
+until = "servo"
+min_time = "10 ms"
+max_time = 0.3
+[[phase]]
+name = "rest"
+until = "steps"
+steps = 4000
+)";
+
+struct Outcome {
+  std::vector<std::string> ended_by;
+  std::vector<std::string> hashes;  ///< at the end of each phase
+  std::vector<double> ways;         ///< m, in the last phase
+  std::vector<double> forces;       ///< N, on the plate along its axis, in the last phase
+};
+
+Outcome run(const Communicator& comm, const std::vector<std::string>& overrides = {},
+            VectorLevel level = best_vector_level()) {
+  const Deck deck = read_deck(plate_on_bed, "plate.toml", overrides);
+  Simulation s(comm, deck, {}, level);
+  Outcome outcome;
+  for (const PhaseDeck& phase_deck : deck.phases) {
+    const Phase phase(phase_deck, s);
+    while (true) {
+      if (const auto ended = phase.ended_by(s, deck.run.check_every)) {
+        outcome.ended_by.push_back(*ended);
+        break;
+      }
+      s.advance(100);
+      s.check_guards();
+      if (phase_deck.name != "rest") continue;
+      outcome.ways.push_back(s.walls()[1].servo->way());
+      outcome.forces.push_back(
+          measure_wall_loads(comm, level, s.walls(), s.materials(), s.particles(), s.wall_contacts())[1].force.z);
+    }
+    outcome.hashes.push_back(hash_of(s));
+  }
+  return outcome;
+}
+
+TEST(Servo, APlateOfGivenWeightComesToRestOnABed) {
+  const Communicator world(MPI_COMM_WORLD);
+  const Outcome outcome = run(world);
+  ASSERT_EQ(outcome.ended_by.size(), 3U);
+  EXPECT_EQ(outcome.ended_by[1], "servo");
+  for (const double force : outcome.forces) EXPECT_NEAR(force, 0.04, 0.04 * 1e-3);
+  for (const double way : outcome.ways) EXPECT_NEAR(way, outcome.ways.front(), 1e-6);  // 1e-3 of a grain
+  EXPECT_GT(outcome.ways.front(), 1e-3);
+}
+
+TEST(Servo, SameBitsOnAllRanksAsOnOne) {
+  const Communicator world(MPI_COMM_WORLD);
+  const Communicator self(MPI_COMM_SELF);
+  const Outcome together = run(world);
+  if (world.is_root()) {
+    const Outcome alone = run(self);
+    EXPECT_EQ(alone.hashes, together.hashes);
+    EXPECT_EQ(alone.ways, together.ways);
+    EXPECT_EQ(alone.forces, together.forces);
+  }
+  world.barrier();
+}
+
+TEST(Servo, SameBitsWhateverTheListsAndTheVectors) {
+  const Communicator world(MPI_COMM_WORLD);
+  const Communicator self(MPI_COMM_SELF);
+  if (world.size() == 1) {
+    const Outcome plain = run(self);
+    for (const Outcome& other :
+         {run(self, {"neighbours.skin=0.8", "neighbours.inner_skin=0.1"}), run(self, {}, VectorLevel::sse2)}) {
+      EXPECT_EQ(other.hashes, plain.hashes);
+      EXPECT_EQ(other.ways, plain.ways);
+    }
+  }
+}
+
+/// A grain of 1 mm on a plane at z = 0, without gravity, below a lid that presses along `direction`.
+Deck grain_under_lid(const Vec3& direction, double force) {
+  Deck deck = bare_deck({}, 1e-6);
+  WallDeck lid = floor_at(2.1e-3);
+  lid.name = "lid";
+  lid.servo.enabled = true;
+  lid.servo.direction = direction;
+  lid.servo.force = force;
+  lid.servo.max_speed = 0.1;
+  lid.servo.max_way = 1e-3;
+  deck.walls = {floor_at(0.0), lid};
+  return deck;
+}
+
+TEST(Servo, AGrainBetweenTwoPlanesIsPressedAsHertzSays) {
+  for (const double force : {1e-4, 1e-2, 0.3}) {
+    Scene scene(grain_under_lid({0.0, 0.0, -1.0}, force), {{{0.0, 0.0, 1e-3}, {}, {}, 1e-3}});
+    scene.simulation().begin_phase("any");
+    scene.run(60000);
+    // F = 4/3 E_eff sqrt(R) delta^(3/2) on either side, E_eff = E / (2 (1 - nu^2))
+    const double modulus = 5e6 / (2.0 * (1.0 - 0.09));
+    const double overlap = std::pow(0.75 * force / (modulus * std::sqrt(1e-3)), 2.0 / 3.0);
+    EXPECT_NEAR(scene.simulation().walls()[1].servo->way(), 1e-4 + 2.0 * overlap, 1e-3 * overlap) << force;
+  }
+}
+
+TEST(Servo, AWallThatFindsNothingSaysSoOnce) {
+  Scene scene(grain_under_lid({0.0, 0.0, 1.0}, 0.01), {{{0.0, 0.0, 1e-3}, {}, {}, 1e-3}});
+  Simulation& s = scene.simulation();
+  s.begin_phase("any");
+  std::vector<std::string> told;
+  for (int k = 0; k < 30000; k += 7) {  // not in step with the looks
+    s.advance(7);
+    if (const auto warning = s.take_warning()) told.push_back(*warning);
+  }
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("wall \"lid\": its servo has come to max_way = 0.001 m"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("no resistance"), std::string::npos) << told[0];
+  EXPECT_EQ(s.walls()[1].servo->way(), 1e-3);
+}
+
+TEST(Servo, APhaseEndsOnceTheForceOnAWallIsReached) {
+  Deck deck = grain_under_lid({0.0, 0.0, -1.0}, 0.02);
+  PhaseDeck press;
+  press.name = "press";
+  press.until = PhaseUntil::wall_force;
+  press.wall = "floor";
+  press.force = 0.01;
+  press.max_time = 1.0;
+  deck.phases = {press};
+  Scene scene(deck, {{{0.0, 0.0, 1e-3}, {}, {}, 1e-3}});
+  Simulation& s = scene.simulation();
+  const Phase phase(deck.phases[0], s);
+  std::optional<std::string> ended;
+  while (!(ended = phase.ended_by(s, 10))) s.advance(10);
+  EXPECT_EQ(*ended, "wall_force");
+  const Communicator world(MPI_COMM_WORLD);
+  const double force = norm(
+      measure_wall_loads(world, s.vector_level(), s.walls(), s.materials(), s.particles(), s.wall_contacts())[0].force);
+  EXPECT_GT(force, 0.01);
+  EXPECT_LT(force, 0.021);
+}
+
+}  // namespace
+}  // namespace repose::test

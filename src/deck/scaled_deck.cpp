@@ -127,9 +127,23 @@ double factor_of(Unit unit, double length, double density) {
       return density * length;
     case Unit::joule:
       return density * length * length * length * length;
-    default:
+    case Unit::none:
+    case Unit::density:
+    case Unit::acceleration:
+    case Unit::kelvin:
+    case Unit::watt:
+    case Unit::conductance:
+    case Unit::specific_power:
+    case Unit::ohm:
+    case Unit::conductivity:
+    case Unit::specific_heat:
+    case Unit::volumetric_heat:
+    case Unit::diffusivity:
+    case Unit::per_kelvin:
+    case Unit::heating_rate:
       return 1.0;
   }
+  return 1.0;
 }
 
 /// A number of the deck, times `factor`, as it is written there: with its unit, or bare.

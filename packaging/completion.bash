@@ -51,6 +51,8 @@ _repose() {
     line=$(_repose_section Positionals)
     if [[ $line == *LIGGGHTS* ]]; then # whose scripts have names of any kind
       mapfile -t COMPREPLY < <(compgen -f -- "$cur")
+    elif [[ $line == *TEST* ]]; then
+      _repose_words "$("${COMP_WORDS[0]}" new | awk '{print $1}')"
     else
       mapfile -t endings < <(_repose_endings "$line")
       _repose_files "${endings[@]}"

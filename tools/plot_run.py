@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Draws the course of a run, finished or not, as PNG and PDF: discharge, energies, loads on the walls, heat.
+"""Draws the course of a run, finished or not, as PNG and PDF: discharge, energies, loads on the walls, heat, grains.
 
 Usage: tools/plot_run.py DIR [--output DIR] [--along AXIS] [--part SHARE]
 
-DIR is the output directory of a run; the pictures discharge, energies, walls, heat and temperatures (of the grains in the
-last snapshot) are written beside its files, or to the directory of --output. What the run does not have (no discharge
+DIR is the output directory of a run; the pictures discharge, energies, walls, heat, grains and temperatures (both of
+the last snapshot) are written beside its files, or to the directory of --output. What the run does not have (no discharge
 measured, no wall touched, no heat) is not drawn.
 """
 import argparse
@@ -30,8 +30,10 @@ def pictures_of(run, chosen):
     """Names and figures of all that the run has."""
     for name, draw in PICTURES.items():
         yield name, draw(run)
-    if "heat" in run.deck and run.snapshot_paths:
-        yield "temperatures", plots.temperatures(repose.Snapshot(run.snapshot_paths[-1]), chosen.along, chosen.part)
+    if run.snapshot_paths:
+        last = repose.Snapshot(run.snapshot_paths[-1])
+        yield "grains", plots.grains(last, chosen.along, chosen.part)
+        yield "temperatures", plots.temperatures(last, chosen.along, chosen.part)
 
 
 def main():
@@ -39,9 +41,9 @@ def main():
     arguments.add_argument("run", metavar="DIR", help="output directory of a run")
     arguments.add_argument("--output", metavar="DIR", help="where to put the pictures; default: beside the run")
     arguments.add_argument("--along", metavar="AXIS", choices=("x", "y", "z"), default="y",
-                           help="x, y or z: how temperatures are looked at; default: y")
+                           help="x, y or z: how grains are looked at; default: y")
     arguments.add_argument("--part", metavar="SHARE", type=share, default=1.0,
-                           help="of the bed's depth that temperatures show, from its back on; default: 1, all of it")
+                           help="of the bed's depth that is shown, from its back on; default: 1, all of it")
     chosen = arguments.parse_args()
     output = chosen.output or chosen.run
     try:

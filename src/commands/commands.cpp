@@ -25,6 +25,7 @@ std::unique_ptr<Command> compare_command();
 std::unique_ptr<Command> photo_pile_command();
 std::unique_ptr<Command> photo_plate_command();
 std::unique_ptr<Command> import_command();
+std::unique_ptr<Command> new_command();
 std::unique_ptr<Command> keys_command();
 
 const std::vector<CommandEntry>& command_entries() {
@@ -53,6 +54,7 @@ const std::vector<CommandEntry>& command_entries() {
       {"photo pile", "measure the angle of repose on photographs of a pile", photo_pile_command},
       {"photo plate", "count scattered grains on photographs from above", photo_plate_command},
       {"import", "make a deck of an input script of LIGGGHTS", import_command},
+      {"new", "write the deck of a ready test, sized for given grains", new_command},
       {"keys", "list every key of a deck", keys_command},
   };
   return entries;

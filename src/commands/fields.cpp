@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <cstdlib>
 
 #include <fmt/core.h>
 
 #include "base/error.h"
 #include "comm/agreement.h"
 #include "commands/command.h"
-#include "deck/units.h"
 #include "fields/fields_of.h"
 #include "files/atomic_file.h"
 #include "files/directory.h"
@@ -21,8 +19,12 @@ class FieldsCommand : public Command {
     options.arguments("FILE", files_, "snapshots or checkpoints (.hdf); several are allowed");
     options.option("--output", output_, "DIR", "directory of the fields (.vti) and their series (fields.pvd)",
                    Options::Need::must);
-    length(options, "--width", given_.width, "half-width of the kernel; three mean diameters if not given");
-    length(options, "--spacing", given_.spacing, "of the cells; a third of the width if not given");
+    const Options::Quantity length = {"LENGTH",
+                                      Unit::metre,
+                                      {.min = 0.0, .max = 1e6, .excludes_min = true},
+                                      "a length above 0, such as 0.002 or \"2 mm\""};
+    options.quantity("--width", given_.width, length, "half-width of the kernel; three mean diameters if not given");
+    options.quantity("--spacing", given_.spacing, length, "of the cells; a third of the width if not given");
     options.option(
         "--deck", deck_, "DECK",
         "deck (TOML) in place of the one in FILE; needed for walls that are meshes, whose files lie beside it");
@@ -36,20 +38,6 @@ class FieldsCommand : public Command {
   }
 
  private:
-  static void length(Options& options, const std::string& name, double& value, const std::string& meaning) {
-    const auto read = [name, &value](const std::string& text) {
-      const char* const first = text.c_str();
-      char* rest = nullptr;
-      const double number = std::strtod(first, &rest);
-      const Quantity quantity =
-          rest != first && *rest == '\0' ? Quantity{number, ""} : parse_quantity(text, Unit::metre);
-      value = quantity.value;
-      if (quantity.problem.empty() && value > 0.0 && value < 1e6) return;
-      throw DeckError(fmt::format("{} {}: must be a length above 0, such as 0.002 or \"2 mm\"", name, text));
-    };
-    options.parsed(name, read, "LENGTH", meaning);
-  }
-
   fields::State state_of(const std::string& file) const {
     const ReadFile read_mesh = [&](const std::string& mesh) {
       if (!deck_.empty()) return read_whole_file(path_beside(deck_, mesh));

@@ -1,11 +1,17 @@
 #include "commands/options.h"
 
+#include <cmath>
+#include <cstdlib>
+
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "base/error.h"
 
 namespace repose {
 
-void Options::argument(const std::string& name, std::string& value, const std::string& meaning) {
-  app_.add_option(name, value, meaning)->required();
+void Options::argument(const std::string& name, std::string& value, const std::string& meaning, Need need) {
+  app_.add_option(name, value, meaning)->required(need == Need::must);
 }
 
 void Options::arguments(const std::string& name, std::vector<std::string>& values, const std::string& meaning,
@@ -37,6 +43,20 @@ void Options::choice(const std::string& name, std::string& value, const std::vec
 void Options::parsed(const std::string& name, std::function<void(const std::string&)> read, const std::string& kind,
                      const std::string& meaning) {
   app_.add_option_function<std::string>(name, std::move(read), meaning)->type_name(kind);
+}
+
+void Options::quantity(const std::string& name, double& value, const Quantity& what, const std::string& meaning) {
+  const auto read = [name, what, &value](const std::string& text) {
+    const char* const first = text.c_str();
+    char* rest = nullptr;
+    const double number = std::strtod(first, &rest);
+    const repose::Quantity given =
+        rest != first && *rest == '\0' ? repose::Quantity{number, ""} : parse_quantity(text, what.unit);
+    value = given.value;
+    if (given.problem.empty() && std::isfinite(value) && what.range.contains(value)) return;
+    throw DeckError(fmt::format("{} {}: must be {}", name, text, what.wanted));
+  };
+  parsed(name, read, what.kind, meaning);
 }
 
 void Options::flag(const std::string& name, bool& value, const std::string& meaning) {

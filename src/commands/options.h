@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "deck/key.h"
+
 namespace CLI {
 class App;
 }
@@ -16,12 +18,12 @@ class Options {
  public:
   explicit Options(CLI::App& app) : app_(app) {}
 
-  /// A word without a dash, which has to be there.
-  void argument(const std::string& name, std::string& value, const std::string& meaning);
+  enum class Need { must, may };
+  /// A word without a dash.
+  void argument(const std::string& name, std::string& value, const std::string& meaning, Need need = Need::must);
   /// One or more of them; with a `count`, exactly so many, which the help calls `shown`.
   void arguments(const std::string& name, std::vector<std::string>& values, const std::string& meaning, int count = 0,
                  const std::string& shown = "");
-  enum class Need { must, may };
   /// An option with a text; `kind` is what the help calls it, such as DIR.
   void option(const std::string& name, std::string& value, const std::string& kind, const std::string& meaning,
               Need need = Need::may);
@@ -34,6 +36,15 @@ class Options {
   /// An option whose text is read by a function, which may throw DeckError.
   void parsed(const std::string& name, std::function<void(const std::string&)> read, const std::string& kind,
               const std::string& meaning);
+  /// What a number on the command line may be; `kind` as of an option, `wanted` as in "must be a length above 0".
+  struct Quantity {
+    std::string kind;
+    Unit unit;
+    Range range;
+    std::string wanted;
+  };
+  /// An option with a number, in SI or as a text with its unit. DeckError when it is not what is wanted.
+  void quantity(const std::string& name, double& value, const Quantity& what, const std::string& meaning);
   void flag(const std::string& name, bool& value, const std::string& meaning);
 
  private:

@@ -19,10 +19,17 @@ import tempfile
 import time
 
 SHORT = ("phase.settle.max_time=2 ms", "phase.settle.min_time=1 ms", "phase.discharge.max_time=2 ms", "phase.discharge.min_time=2 ms")
+LIFTED = ("phase.settle.min_time=0", "phase.settle.max_time=2 ms", "phase.lift.time=2 ms", "phase.rest.min_time=0", "phase.rest.max_time=2 ms")
 # Overrides for commands that read a file of this name.
 REDUCED = {
     "discharge_quick.toml": ("particles.0.mass=0.05 g", *SHORT),
+    "draw_down.toml": ("phase.settle.min_time=0", "phase.settle.max_time=2 ms", "phase.draw_down.min_time=0",
+                       "phase.draw_down.max_time=2 ms"),
+    "granuheap.toml": LIFTED,
     "heated_drum.toml": ("phase.fill.time=2 ms", "phase.turn.time=4 ms", "measurement.surface_angle.from=0.001"),
+    "ledge.toml": ("phase.settle.time=2 ms", "phase.collapse.time=2 ms"),
+    "lifted_cylinder.toml": LIFTED,
+    "lifted_cylinder_disc.toml": LIFTED,
     "moving_bed_exchanger.toml": ("phase.settle.time=2 ms", "phase.sink.time=2 ms"),
     "periodic_chute.toml": ("phase.flow.time=5 ms",),
     "validation.toml": ("particles.0.mass=0.02 g", *SHORT),
@@ -45,7 +52,7 @@ STANDS_FOR = {"DECK": "input/discharge_quick.toml", "DIR": "results/a_run", "res
               "results/validation/carbohsp_mono/run_0001117900.hdf": "results/validation/carbohsp_mono/run_*.hdf"}
 # Beginnings of commands, and why they are not run.
 NOT_RUN = {}
-FORM = re.compile(r"\[|\.\.\.|\b(SCRIPT|TUTORIALS|DECK|FILE|FILES|DIR|TOOL|SNAPSHOT|RESULT)\b|\bA\.csv\b|<")
+FORM = re.compile(r"\[|\.\.\.|\b(SCRIPT|TUTORIALS|DECK|FILE|FILES|DIR|TEST|TOOL|SNAPSHOT|RESULT)\b|\bA\.csv\b|<")
 BEGINS = re.compile(r"(\w+=\S+ )*((mpirun|mpiexec)( -\S+ \S+)* )?((build/release/src/)?repose(?!:) \S|(tools|benchmarks/\w+)/\w+\.py( |$))")
 LONGEST = 120  # s for one command
 

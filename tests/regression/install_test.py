@@ -161,6 +161,7 @@ class Install(unittest.TestCase):
                 self.assertEqual(self.complete(*words, option, ""), choices, name)
         self.assertEqual(self.complete("ru"), {"run"})
         self.assertEqual(self.complete("run", "deck.toml", "--re"), {"--restart"})
+        self.assertEqual(self.complete("new", "led"), {"ledge"})
 
     def test_the_completion_offers_files_that_fit(self):
         with tempfile.TemporaryDirectory() as folder:

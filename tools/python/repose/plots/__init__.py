@@ -6,13 +6,14 @@
 
 from repose.plots.course import discharge, energies, walls
 from repose.plots.effects import effect, effects
+from repose.plots.grains import grains
 from repose.plots.heat import heat, temperatures
 from repose.plots.lines import line, lines
 from repose.plots.plane import contours, crossing, plane
 from repose.plots.search import search
 
-__all__ = ["calibration", "contours", "crossing", "discharge", "effect", "effects", "energies", "heat", "line",
-           "lines", "plane", "search", "temperatures", "walls"]
+__all__ = ["calibration", "contours", "crossing", "discharge", "effect", "effects", "energies", "grains", "heat",
+           "line", "lines", "plane", "search", "temperatures", "walls"]
 
 
 def calibration(study):

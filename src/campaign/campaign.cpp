@@ -66,7 +66,7 @@ class Group {
         log.reset(std::fopen((folder + "/run.log").c_str(), "a"));
         if (!log) throw FileError(fmt::format("{}/run.log: cannot be opened", folder));
       });
-      const RunRequest request = {plan_.bases[run.level], run.overrides, folder, plan_.level,
+      const RunRequest request = {plan_.bases[plan_.base_of(run)], run.overrides, folder, plan_.level,
                                   {log.get(), log.get()}, true};
       run_file(comm_, request, [&](double needed) { return stop_now(needed); });
     } catch (const Stopped&) {
@@ -112,7 +112,7 @@ class Group {
 
 /// Particles times steps. What cannot be set up will say so when it is run.
 double planned_work(const CampaignPlan& plan, const StudyRun& run) {
-  const std::string& base = plan.bases[run.level];
+  const std::string& base = plan.bases[plan.base_of(run)];
   try {
     const Deck deck = read_deck(read_whole_file(base), base, run.overrides);
     return most_particle_steps(deck, [&](const std::string& file) { return read_whole_file(path_beside(base, file)); });
@@ -121,10 +121,10 @@ double planned_work(const CampaignPlan& plan, const StudyRun& run) {
   }
 }
 
-/// The same for many runs: alike for all of a level that differ in the laws of the contacts alone.
+/// The same for many runs: alike for all of a base deck that differ in the laws of the contacts alone.
 class PlannedWork {
  public:
-  explicit PlannedWork(const CampaignPlan& plan) : plan_(plan), of_level_(plan.bases.size()) {
+  explicit PlannedWork(const CampaignPlan& plan) : plan_(plan), of_base_(plan.bases.size()) {
     const std::vector<ParameterDeck>& parameters = plan.study.parameters;
     const auto is_of_pair = [](const ParameterDeck& p) { return p.key.starts_with("pair."); };
     alike_ = std::all_of(parameters.begin(), parameters.end(), is_of_pair);
@@ -133,7 +133,7 @@ class PlannedWork {
   double operator()(const StudyRun& run) {
     if (!alike_) return planned_work(plan_, run);
     if (plan_.bases.size() == 1) return 1.0;
-    std::optional<double>& known = of_level_[run.level];
+    std::optional<double>& known = of_base_[plan_.base_of(run)];
     if (!known) known = planned_work(plan_, run);
     return *known;
   }
@@ -141,7 +141,7 @@ class PlannedWork {
  private:
   const CampaignPlan& plan_;
   bool alike_ = false;
-  std::vector<std::optional<double>> of_level_;
+  std::vector<std::optional<double>> of_base_;
 };
 
 /// Collective. The runs to do, the same on all ranks.
@@ -168,9 +168,9 @@ void wait_for_all(const Communicator& world, CampaignWatch* watch) {
 
 }  // namespace
 
-CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
+CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, const std::string& deck_text,
                      const RunRequest& request) {
-  CampaignPlan plan{study, deck_text, {}, {}, std::move(figures), request.output, request.level, request.log};
+  CampaignPlan plan{study, deck_text, {}, {}, {}, std::move(figures), request.output, request.level, request.log};
   plan.bases = {path_beside(request.deck, study.base)};
   plan.study.set.insert(plan.study.set.end(), request.overrides.begin(), request.overrides.end());
   return plan;
@@ -182,15 +182,26 @@ std::string effort_text(const CampaignEffort& effort, int ranks) {
                      100.0 * effort.idle_share);
 }
 
+void write_campaign_table(const CampaignPlan& plan, const std::vector<std::string>& columns,
+                          std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+  GridTable table{plan.deck_text,   {},   columns, plan.levels,
+                  plan.experiments, runs, records, build_info(to_string(plan.level))};
+  for (const ParameterDeck& p : plan.study.parameters) table.parameters.push_back(p.name);
+  write_grid_table(plan.directory, table);
+}
+
 void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
   std::vector<std::string> texts;
   for (const std::string& base : plan.bases) texts.push_back(read_whole_file(base));
   std::vector<char> has_figures(plan.bases.size(), 0);
   for (const StudyRun& run : runs) {
-    const Deck deck = read_deck(texts[run.level], plan.bases[run.level], run.overrides);
-    if (has_figures[run.level] == 0) {
-      has_figures[run.level] = 1;
-      for (const std::string& figure : plan.figures) require_figure(deck, figure);
+    const std::size_t base = plan.base_of(run);
+    const Deck deck = read_deck(texts[base], plan.bases[base], run.overrides);
+    if (has_figures[base] == 0) {
+      has_figures[base] = 1;
+      for (const RunFigure& figure : plan.figures) {
+        if (figure.experiment == run.experiment) require_figure(deck, figure.key);
+      }
     }
     const std::string folder = folder_of(plan.directory, run);
     const std::string before = folder + "/deck.resolved.toml";

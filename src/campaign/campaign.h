@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,13 +18,19 @@ namespace repose {
 struct CampaignPlan {
   StudyDeck study;
   std::string deck_text;             ///< of the study, for the table
-  std::vector<std::string> bases;    ///< paths of the base decks, one per level
+  std::vector<std::string> bases;    ///< paths of the base decks, for each experiment one per level
   std::vector<std::string> levels;   ///< their names; empty: there is one, without a name
-  std::vector<std::string> figures;  ///< keys of summary.json, for the table
+  std::vector<std::string> experiments;  ///< likewise
+  std::vector<RunFigure> figures;        ///< for the table
   std::string directory;             ///< runs in runs/NAME, tables beside
   VectorLevel level;
   RunLog log;                    ///< of the whole; each run has a run.log of its own
   LiveReport* report = nullptr;  ///< to be renewed meanwhile; rank 0
+
+  /// The place in `bases` of a run's base deck.
+  std::size_t base_of(const StudyRun& run) const {
+    return run.experiment * std::max<std::size_t>(1, levels.size()) + run.level;
+  }
 };
 
 /// How the ranks have spent a campaign.
@@ -34,13 +41,17 @@ struct CampaignEffort {
   double idle_share = 0.0;  ///< of all ranks' time, in which they waited for the others' last runs
 };
 
-/// For one level. Figures are keys of summary.json; `request` names the study's deck, whose text is given, and the
+/// For one level and experiment. `request` names the study's deck, whose text is given, and the
 /// directory. Its overrides are of the base deck.
-CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
+CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, const std::string& deck_text,
                      const RunRequest& request);
 
 /// A line for a person.
 std::string effort_text(const CampaignEffort& effort, int ranks);
+
+/// The table of these runs, with a column for each figure of the records.
+void write_campaign_table(const CampaignPlan& plan, const std::vector<std::string>& columns,
+                          std::span<const StudyRun> runs, std::span<const RunRecord> records);
 
 /// DeckError when a run's deck is wrong, one of the figures is not measured, or the directory holds results of another
 /// base deck. For rank 0.

@@ -13,7 +13,9 @@ MARK = {"failed": "bad", "plugged": "bad", "waiting": "none", "running": "none"}
 
 def asked(deck):
     """Name and value of what the decks of all studies say."""
-    rows = [("base deck", f"<code>{html.escape(deck['base'])}</code>"),
+    bases = [(e["name"] + ": ", e.get("base", deck.get("base"))) for e in deck.get("experiment", [])]
+    bases = bases or [("", deck["base"])]
+    rows = [("base deck", ", ".join(f"{html.escape(name)}<code>{html.escape(base)}</code>" for name, base in bases)),
             ("seeds at each point", html.escape(deck.get("seeds", 1)))]
     if deck.get("set"):
         rows.append(("changed for all runs", ", ".join(f"<code>{html.escape(item)}</code>" for item in deck["set"])))
@@ -28,6 +30,7 @@ class Runs:
         self.study, self.figures, self.grid = study, figures, study.grid
         self.runs = [run if run is not None and run.is_complete else None for run in study.runs]
         self.folders = study.folders
+        self.groups = [key for key in ("experiment", "level") if key in self.grid]
         rows = range(self.grid.rows)
         failed = [row for row in rows if self.grid["state"][row] == "failed"]
         weight = {row: place for place, row in enumerate([*order, *failed])}
@@ -41,13 +44,20 @@ class Runs:
     def name(self, row):
         """What a run is, in words."""
         parts_ = [f"{words(name)} {self.grid[name][row]:g}" for name in self.study.parameters]
-        level = f"{self.grid['level'][row]}, " if "level" in self.grid else ""
-        return f"{level}{', '.join(parts_)}, seed {self.grid['seed'][row]:g}"
+        before = "".join(f"{self.grid[key][row]}, " for key in self.groups)
+        return f"{before}{', '.join(parts_)}, seed {self.grid['seed'][row]:g}"
 
     def value(self, row, figure):
         """Value and standard error within the run; None where there is none."""
         run = self.runs[row]
-        return (run.figure(figure), run.error(figure)) if run else (None, None)
+        if run is None:
+            return None, None
+        experiment = f"{self.grid['experiment'][row]}." if "experiment" in self.grid else ""
+        key = figure.removeprefix(experiment)
+        if run.has_figure(key) and figure.startswith(experiment):
+            return run.figure(key), run.error(key)
+        value = self.grid[figure][row] if figure in self.grid else float("nan")  # the score of a curve
+        return (float(value), None) if value == value else (None, None)
 
     def text(self, row):
         """For the pointer: the run and its figures."""
@@ -65,8 +75,7 @@ class Runs:
         state = self.grid["state"][row]
         cells = [numbers.data(str(row + 1), row + 1) if row not in self.boxed
                  else f'<a href="#run-{row}">{row + 1}</a>']
-        if "level" in self.grid:
-            cells.append(html.escape(self.grid["level"][row]))
+        cells += [html.escape(self.grid[key][row]) for key in self.groups]
         cells += [numbers.data(f"{self.grid[name][row]:g}", float(self.grid[name][row]))
                   for name in self.study.parameters]
         cells += [numbers.data(f"{self.grid['seed'][row]:g}", float(self.grid["seed"][row])),
@@ -78,10 +87,10 @@ class Runs:
 
     def table(self):
         """All of them, to be sorted."""
-        head = ["run", *(["level"] if "level" in self.grid else []), *map(words, self.study.parameters), "seed",
+        head = ["run", *self.groups, *map(words, self.study.parameters), "seed",
                 "state",
                 *(numbers.quantity(figure) for figure in self.figures), "wall time, s"]
-        first = 2 if "level" in self.grid else 1
+        first = 1 + len(self.groups)
         numeric = [k for k in range(first, len(head)) if head[k] != "state"]
         return html.table([html.escape(h) for h in head], [self.cells(row) for row in range(self.grid.rows)],
                           "sortable", numeric)

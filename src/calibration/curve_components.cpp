@@ -88,12 +88,12 @@ CurveComponents::CurveComponents(const std::string& name, MeasuredCurve curve, s
 
   const Vector variances = deviations.cwiseAbs2() / static_cast<double>(means.about_level.cols());
   const Index there = (deviations.array() > least_share * deviations[0]).count();
+  const auto beyond = [&](Index k) { return variances.tail(variances.size() - k).sum(); };
+  const double enough = left_out_most * beyond(0) + means.variance_of_seeds;
   Index kept = 0;
-  double rest = variances.sum();
-  const double enough = left_out_most * rest + means.variance_of_seeds;
-  while (kept < std::min(there, most) && (kept < least || rest > enough)) rest -= variances[kept++];
+  while (kept < std::min(there, most) && (kept < least || beyond(kept) > enough)) ++kept;
   components_ = svd.matrixU().leftCols(kept);
-  left_out_ = std::max(0.0, rest / variances.sum());
+  left_out_ = beyond(kept) / beyond(0);
   for (Index k = 0; k < kept; ++k) {  // the sign of a component is free: its greatest value is above 0
     Index at = 0;
     components_.col(k).cwiseAbs().maxCoeff(&at);

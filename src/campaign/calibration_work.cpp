@@ -33,6 +33,7 @@ CalibrationWork::CalibrationWork(const Communicator& world, const CalibrationDec
       stop_asked_(stop_asked),
       plan_(plan_of_levels(deck, text, request)) {
   plan_.report = report;
+  plan_.check_run = [&deck](const std::string& folder, const StudyRun& run) { check_curves(deck, folder, run); };
 }
 
 std::vector<RunFigure> run_figures(const CalibrationDeck& deck) {

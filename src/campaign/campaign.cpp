@@ -43,10 +43,14 @@ class Group {
     while (true) {
       const std::int64_t drawn = draw();
       if (drawn >= std::ssize(order)) return true;
-      if (!do_run(runs[order[static_cast<std::size_t>(drawn)]])) return false;
+      const StudyRun& run = runs[order[static_cast<std::size_t>(drawn)]];
+      if (!do_run(run)) return false;
       if (comm_.is_root()) counters_.add(finished_runs, 1);
+      if (!is_as_meant(run)) return false;
     }
   }
+  /// Why the first complete run is not what was meant; empty: it is. The same in the group.
+  const std::string& complaint() const { return complaint_; }
 
  private:
   std::int64_t draw() {
@@ -81,6 +85,19 @@ class Group {
     return true;
   }
 
+  /// False when the check of the plan says no: the other groups stop as well.
+  bool is_as_meant(const StudyRun& run) {
+    if (!plan_.check_run) return true;
+    try {
+      agree_after_root(comm_, [&] { plan_.check_run(folder_of(plan_.directory, run), run); });
+      return true;
+    } catch (const DeckError& error) {
+      complaint_ = error.what();
+    }
+    if (comm_.is_root()) counters_.add(stop_wanted, 1);
+    return false;
+  }
+
   /// Where not even that can be written, the run waits again; the other groups must not wait for this one.
   void note_failure(const std::string& folder, ExitCode code, const std::string& reason) {
     try {
@@ -108,6 +125,7 @@ class Group {
   CampaignWatch* watch_;  ///< on rank 0 of the world
   const StopAsked& stop_asked_;
   WallClock::time_point last_asked_ = WallClock::now();
+  std::string complaint_;
 };
 
 /// Particles times steps. What cannot be set up will say so when it is run.
@@ -170,7 +188,13 @@ void wait_for_all(const Communicator& world, CampaignWatch* watch) {
 
 CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, const std::string& deck_text,
                      const RunRequest& request) {
-  CampaignPlan plan{study, deck_text, {}, {}, {}, std::move(figures), request.output, request.level, request.log};
+  CampaignPlan plan;
+  plan.study = study;
+  plan.deck_text = deck_text;
+  plan.figures = std::move(figures);
+  plan.directory = request.output;
+  plan.level = request.level;
+  plan.log = request.log;
   plan.bases = {path_beside(request.deck, study.base)};
   plan.study.set.insert(plan.study.set.end(), request.overrides.begin(), request.overrides.end());
   return plan;
@@ -226,7 +250,8 @@ std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPla
   CampaignWatch* const my_watch = watch ? &*watch : nullptr;
 
   const WallClock::time_point start = WallClock::now();
-  const bool complete = Group(comm, plan, counters, my_watch, stop_asked).work(runs, order);
+  Group group(comm, plan, counters, my_watch, stop_asked);
+  const bool complete = group.work(runs, order);
   const double busy = seconds_since(start);
   wait_for_all(world, my_watch);
   effort.wall_seconds = world.max(seconds_since(start));
@@ -239,6 +264,9 @@ std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPla
     return records;
   }
   agree_after_root(world, [&] { watch->write_tables(); });
+  agree_after(world, [&] {
+    if (!group.complaint().empty()) throw DeckError(group.complaint());
+  });
   throw Stopped(fmt::format("stopped with {} of {} runs complete; the same command goes on from there",
                             std::ssize(runs) - std::ssize(order) + effort.runs, runs.size()));
 }

@@ -110,6 +110,13 @@ void read_curves(const Communicator& world, const CurvePath& path_of, Calibratio
   }
 }
 
+void check_curves(const CalibrationDeck& deck, const std::string& folder, const StudyRun& run) {
+  const RunRecord record = read_run_folder(folder, {});
+  for (const ObservableDeck& o : deck.observables) {
+    if (o.is_curve() && o.experiment == run.experiment && counts(record, o.measured())) curve_of_run(folder, o);
+  }
+}
+
 std::string curve_copy(const ObservableDeck& observable) { return fmt::format("curve_{}.csv", observable.figure); }
 
 Projection project_curves(const CalibrationDeck& deck, const std::string& directory, std::span<const StudyRun> runs,

@@ -48,9 +48,11 @@ void write_hdf5(const std::string& path, const GridTable& table) {
   file.write_rows("/runs/parameters", std::span<const double>(parameter_rows(table)), rows,
                   static_cast<int>(table.parameters.size()));
   file.write_attribute("/runs/parameters", "names", std::span<const std::string>(table.parameters));
-  file.write_rows("/runs/figures", std::span<const double>(figure_rows(table)), rows,
-                  static_cast<int>(table.figures.size()));
-  file.write_attribute("/runs/figures", "names", std::span<const std::string>(table.figures));
+  if (!table.figures.empty()) {  // a curve has none before its runs are complete
+    file.write_rows("/runs/figures", std::span<const double>(figure_rows(table)), rows,
+                    static_cast<int>(table.figures.size()));
+    file.write_attribute("/runs/figures", "names", std::span<const std::string>(table.figures));
+  }
   std::vector<std::int64_t> seeds;
   std::vector<std::string> folders;
   for (const StudyRun& run : table.runs) {
@@ -94,7 +96,9 @@ std::string quoted(const std::string& text) {
 std::string csv_of(const GridTable& table) {
   std::string text = table.experiments.empty() ? "" : "experiment,";
   if (!table.levels.empty()) text += "level,";
-  text += fmt::format("{},seed,state,{},reason\n", fmt::join(table.parameters, ","), fmt::join(table.figures, ","));
+  text += fmt::format("{},seed,state,", fmt::join(table.parameters, ","));
+  for (const std::string& figure : table.figures) text += figure + ",";
+  text += "reason\n";
   for (std::size_t i = 0; i < table.runs.size(); ++i) {
     const RunRecord& record = table.records[i];
     if (!table.experiments.empty()) text += table.experiments[table.runs[i].experiment] + ",";

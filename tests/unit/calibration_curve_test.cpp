@@ -1,4 +1,5 @@
 // Curves projected onto the components of runs: the whitening, the components and what they leave out.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -23,9 +24,14 @@ std::vector<CurveRun> plane_of_runs(const Vector& x) {
 }
 
 MeasuredCurve measured(double correlation_length) {
-  const Vector x = (Vector(6) << 0.0, 0.1, 0.5, 0.9, 1.4, 2.0).finished();
-  const Vector deviation = (Vector(6) << 0.1, 0.2, 0.1, 0.1, 0.3, 0.2).finished();
-  return {x, (3.0 + 0.3 * x.array()).matrix(), deviation, correlation_length};
+  MeasuredCurve curve;
+  curve.x.resize(6);
+  curve.x << 0.0, 0.1, 0.5, 0.9, 1.4, 2.0;
+  curve.y = 3.0 + 0.3 * curve.x.array();
+  curve.deviation.resize(6);
+  curve.deviation << 0.1, 0.2, 0.1, 0.1, 0.3, 0.2;
+  curve.correlation_length = correlation_length;
+  return curve;
 }
 
 TEST(CurveComponents, KeepsWhatRunsDifferBy) {

@@ -49,8 +49,8 @@ class Group {
       if (!is_as_meant(run)) return false;
     }
   }
-  /// Why the first complete run is not what was meant; empty: it is. The same in the group.
-  const std::string& complaint() const { return complaint_; }
+  /// Why a complete run is not what was meant. The same in the group.
+  const std::optional<Error>& complaint() const { return complaint_; }
 
  private:
   std::int64_t draw() {
@@ -91,8 +91,8 @@ class Group {
     try {
       agree_after_root(comm_, [&] { plan_.check_run(folder_of(plan_.directory, run), run); });
       return true;
-    } catch (const DeckError& error) {
-      complaint_ = error.what();
+    } catch (const Error& error) {  // the same on all ranks of the group
+      complaint_ = error;
     }
     if (comm_.is_root()) counters_.add(stop_wanted, 1);
     return false;
@@ -125,7 +125,7 @@ class Group {
   CampaignWatch* watch_;  ///< on rank 0 of the world
   const StopAsked& stop_asked_;
   WallClock::time_point last_asked_ = WallClock::now();
-  std::string complaint_;
+  std::optional<Error> complaint_;
 };
 
 /// Particles times steps. What cannot be set up will say so when it is run.
@@ -265,7 +265,7 @@ std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPla
   }
   agree_after_root(world, [&] { watch->write_tables(); });
   agree_after(world, [&] {
-    if (!group.complaint().empty()) throw DeckError(group.complaint());
+    if (group.complaint()) throw *group.complaint();
   });
   throw Stopped(fmt::format("stopped with {} of {} runs complete; the same command goes on from there",
                             std::ssize(runs) - std::ssize(order) + effort.runs, runs.size()));

@@ -27,7 +27,7 @@ struct CampaignPlan {
   VectorLevel level;
   RunLog log;                    ///< of the whole; each run has a run.log of its own
   LiveReport* report = nullptr;  ///< to be renewed meanwhile; rank 0
-  /// Throws a DeckError when a complete run, in this folder, is not what was meant. On rank 0 of its group; may be empty.
+  /// Throws an Error when a complete run, in this folder, is not what was meant. On rank 0 of its group; may be empty.
   std::function<void(const std::string& folder, const StudyRun& run)> check_run;
 
   /// The place in `bases` of a run's base deck.
@@ -63,7 +63,7 @@ void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs);
 /// Collective. Does the runs that are not complete, on groups of ranks which draw one after the other, each in a folder
 /// of its own where it goes on if it was interrupted. A run that fails is noted and ends no other. The records of all
 /// runs on rank 0; the tables are written now and then, and at the end. Stopped when `stop_asked` gives a reason
-/// anywhere: the runs under way leave checkpoints. DeckError by `check_run`, likewise.
+/// anywhere: the runs under way leave checkpoints. The same when `check_run` throws.
 std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPlan& plan, std::span<const StudyRun> runs,
                                     const StopAsked& stop_asked, CampaignEffort& effort);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <utility>
@@ -45,6 +46,11 @@ StepWindow window_of(const Json& summary, const std::string& path, const Observa
 
 std::vector<double> curve_of_run(const std::string& folder, const ObservableDeck& o) {
   const std::string file = folder + "/" + o.series;
+  if (!std::filesystem::exists(file)) {
+    throw DeckError(fmt::format("observable \"{}\": runs write no {}; their tables are series.csv, walls.csv and those "
+                                "of measurements",
+                                o.figure, o.series));
+  }
   const std::string text = read_whole_file(file);
   if (o.phase.empty()) return at_places(parse_run_curve(text, file, o, nullptr), file, o);
   const std::string summary = folder + "/summary.json";

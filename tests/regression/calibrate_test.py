@@ -363,7 +363,7 @@ class Calibrate(FolderTest):
         self.report(outputs[0])
 
     def report(self, output):
-        done = self.program.call("report", output)
+        done = self.program.call("report", output, env={"REPOSE_PYTHON": sys.executable})
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertGreater(os.path.getsize(os.path.join(output, "report.html")), 10000)
 
@@ -397,7 +397,7 @@ class Calibrate(FolderTest):
         wrong(good, 'did you mean "rotational_energy_J"?', CURVE.replace("rotational_energy_J", "rotation_energy_J"))
         wrong(good, "series.csv:", CURVE.replace('x = "time_s"', 'x = "discharged_mass_kg"'))
         wrong(good, 'has no phase "drain", but settle, discharge', CURVE.replace('"discharge"', '"drain"'))
-        wrong(good, "serie.csv", CURVE.replace('"series.csv"', '"serie.csv"'))
+        wrong(good, "runs write no serie.csv", CURVE.replace('"series.csv"', '"serie.csv"'))
         with open(self.path("spin.csv"), "w") as file:
             file.write("x,y,deviation\n" + good)
         self.assertIn("0 runs in", self.calibrate(self.write(LINE + CURVE, sets=CLOSE_ROWS)))

@@ -2,6 +2,7 @@
 
 import datetime
 
+from repose.files import ReposeError
 from repose.report import html, numbers, parts
 from repose.units import words
 
@@ -11,11 +12,17 @@ UNDECIDED = (" There is no result: a search may still be deciding on its next po
 MARK = {"failed": "bad", "plugged": "bad", "waiting": "none", "running": "none"}
 
 
+def bases_of(deck):
+    """The experiments of a deck, as what stands before a name, and their base decks; one without a name when there are
+    none."""
+    return [(e["name"] + ": ", e.get("base", deck.get("base"))) for e in deck.get("experiment", [])] or [
+        ("", deck["base"])]
+
+
 def asked(deck):
     """Name and value of what the decks of all studies say."""
-    bases = [(e["name"] + ": ", e.get("base", deck.get("base"))) for e in deck.get("experiment", [])]
-    bases = bases or [("", deck["base"])]
-    rows = [("base deck", ", ".join(f"{html.escape(name)}<code>{html.escape(base)}</code>" for name, base in bases)),
+    bases = ", ".join(f"{html.escape(name)}<code>{html.escape(base)}</code>" for name, base in bases_of(deck))
+    rows = [("base deck", bases),
             ("seeds at each point", html.escape(deck.get("seeds", 1)))]
     if deck.get("set"):
         rows.append(("changed for all runs", ", ".join(f"<code>{html.escape(item)}</code>" for item in deck["set"])))
@@ -50,19 +57,29 @@ class Runs:
     def value(self, row, figure):
         """Value and standard error within the run; None where there is none."""
         run = self.runs[row]
-        if run is None:
+        if run is None or not self.is_asked(row, figure):
             return None, None
-        experiment = f"{self.grid['experiment'][row]}." if "experiment" in self.grid else ""
-        key = figure.removeprefix(experiment)
-        if run.has_figure(key) and figure.startswith(experiment):
+        key = figure.removeprefix(self.experiment(row))
+        try:
             return run.figure(key), run.error(key)
-        value = self.grid[figure][row] if figure in self.grid else float("nan")  # the score of a curve
-        return (float(value), None) if value == value else (None, None)
+        except ReposeError:  # the score of a curve
+            value = self.grid[figure][row] if figure in self.grid else float("nan")
+            return (float(value), None) if value == value else (None, None)
+
+    def experiment(self, row):
+        """What stands before the names of a row's figures."""
+        return f"{self.grid['experiment'][row]}." if "experiment" in self.grid else ""
+
+    def is_asked(self, row, figure):
+        """Whether a row is of the experiment that has a figure."""
+        return figure.startswith(self.experiment(row))
 
     def text(self, row):
         """For the pointer: the run and its figures."""
         lines = [self.name(row), self.grid["state"][row]]
         for figure in self.figures:
+            if not self.is_asked(row, figure):
+                continue
             value, error = self.value(row, figure)
             name, unit, factor = numbers.display(figure)
             if value is not None:
@@ -155,7 +172,7 @@ def warnings(runs):
                      "for no other figure.")
     for figure in runs.figures:
         without = [row for row in range(grid.rows) if grid["state"][row] == "done"
-                   and runs.value(row, figure)[0] is None]
+                   and runs.is_asked(row, figure) and runs.value(row, figure)[0] is None]
         if without:
             found.append(f"No {numbers.name(figure)} in {len(without)} of the runs that are done: "
                          f"{links(runs, without)}.")
@@ -172,7 +189,8 @@ def repeat(study, runs, command, nearest):
             ("ranks of a run", f"at most {ranks}")]
     name = study.directory.resolve().name
     commands = [parts.command_line("mpirun", "-n", max(2, ranks), "repose", command, study.deck_file, "--output", name)]
-    decks = [(study.deck_file + f" (its base is {study.deck['base']}, relative to where it was)", study.deck_text)]
+    bases = " and ".join(base for _, base in bases_of(study.deck))
+    decks = [(study.deck_file + f" (its base is {bases}, relative to where it was)", study.deck_text)]
     if nearest:
         run, folder = nearest
         rows.append(("hash of that run's state", f"<code>{run.summary['state_hash']}</code>"))

@@ -84,7 +84,7 @@ CurveComponents::CurveComponents(const std::string& name, MeasuredCurve curve, s
   const Eigen::JacobiSVD<Matrix> svd(means.about_level, Eigen::ComputeThinU);
   const Vector& deviations = svd.singularValues();
   if (!(deviations[0] > rounding * centre_.norm()))
-    throw DeckError(fmt::format("observable \"{}\": all runs have the same curve", name));
+    throw DeckError(fmt::format("observable \"{}\": the curves of the runs do not differ from point to point", name));
 
   const Vector variances = deviations.cwiseAbs2() / static_cast<double>(means.about_level.cols());
   const Index there = (deviations.array() > least_share * deviations[0]).count();

@@ -146,7 +146,7 @@ TEST_F(Projected, WhatHasFailedHasNoCurve) {
   EXPECT_TRUE(p.records[4].figures[1]);  // of a mass
   deck.observables[1].x = "step";
   deck.observables[1].y = "time_s";
-  EXPECT_EQ(deck_error([&] { projection(); }), "observable \"drain\": all runs have the same curve");
+  EXPECT_EQ(deck_error([&] { projection(); }), "observable \"drain\": the curves of the runs do not differ from point to point");
   add_run(0.7, RunState::waiting);
   EXPECT_FALSE(counts(records[4], "time_s"));
 }

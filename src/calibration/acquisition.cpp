@@ -34,17 +34,19 @@ Choices choices_of(const Misfit& misfit, const Estimate& estimate, const BatchPl
   return c;
 }
 
-/// The share of the runs of a level nearest to a point that have a value of the observable.
-double chance_of_value(const Misfit& misfit, const ObservableSurface& surface, std::size_t level, const Vector& point) {
+/// The share of the runs of a level, of those asked for observable `k`, nearest to a point that have a value of it.
+double chance_of_value(const Misfit& misfit, Index k, std::size_t level, const Vector& point) {
+  const ObservableSurface& surface = misfit.surface(k);
+  const auto is_asked = [&](Index run) { return misfit.level_of(run) == level && misfit.is_asked(run, k); };
   const Vector distance = (misfit.runs().rowwise() - point.transpose()).rowwise().norm();
   double least = std::numeric_limits<double>::infinity();
   for (Index run = 0; run < distance.size(); ++run) {
-    if (misfit.level_of(run) == level) least = std::min(least, distance[run]);
+    if (is_asked(run)) least = std::min(least, distance[run]);
   }
   double runs = 0.0;
   double with_value = 0.0;
   for (Index run = 0; run < distance.size(); ++run) {
-    if (misfit.level_of(run) != level || distance[run] > least + 1e-9) continue;
+    if (!is_asked(run) || distance[run] > least + 1e-9) continue;
     runs += 1.0;
     if (surface.data(level).point_of_run[static_cast<std::size_t>(run)] >= 0) with_value += 1.0;
   }
@@ -105,8 +107,8 @@ Outlook outlook(const Misfit& misfit, Index k, const Matrix& nodes, const Choice
   for (Index i = 0; i < choices.size(); ++i) {
     const std::size_t level = choices.level[static_cast<std::size_t>(i)];
     const Vector point = choices.points.row(i).transpose();
-    o.chance[i] = chance_of_value(misfit, surface, level, point);
-    o.noise[i] = surface.noise_variance(level, point) / static_cast<double>(seeds[level]);
+    o.chance[i] = chance_of_value(misfit, k, level, point);
+    o.noise[i] = surface.noise_variance(level, point) / static_cast<double>(seeds[misfit.experiment(k) * misfit.levels() + level]);
   }
   return o;
 }

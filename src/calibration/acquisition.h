@@ -27,7 +27,7 @@ struct LevelPoint {
 /// What a search over levels may do in a batch.
 struct BatchPlan {
   std::size_t points = 1;
-  std::vector<std::size_t> seeds;                           ///< at a point, for each level
+  std::vector<std::size_t> seeds;                           ///< at a point, for each experiment one per level
   std::function<double(const LevelPoint&)> cost;            ///< predicted, of all seeds at a point; above 0
   double budget = std::numeric_limits<double>::infinity();  ///< of the batch, in the unit of the cost
 };

@@ -59,6 +59,7 @@ Misfit::Misfit(std::vector<ParameterRange> ranges, std::span<const std::vector<d
     }
     laboratory_.push_back(o.laboratory);
     discrepancy_.push_back(o.discrepancy);
+    experiment_.push_back(o.experiment);
   }
   share_noise();
 }

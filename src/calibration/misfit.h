@@ -20,12 +20,15 @@ struct ObservableData {
   LaboratoryValue laboratory;
   std::vector<double> values;  ///< one per run; NaN: the run has none (plugged, no pile)
   double discrepancy = 0.0;    ///< standard deviation of what the model cannot be expected to meet
+  std::size_t experiment = 0;  ///< whose runs have it
 };
 
-/// Of which level of the model each run is, the cheapest first. The last level is the one that counts.
+/// Of which level of the model each run is, the cheapest first, and of which experiment. The last level is the one that
+/// counts.
 struct RunLevels {
   std::size_t count = 1;
-  std::vector<std::size_t> of_run;
+  std::vector<std::size_t> of_run = {};             ///< empty: there is one level
+  std::vector<std::size_t> experiment_of_run = {};  ///< empty: there is one experiment
 };
 
 /// How far the surfaces of all observables are from the laboratory, in standard deviations of the difference. Points
@@ -64,6 +67,13 @@ class Misfit {
   std::size_t level_of(Index run) const {
     return levels_.count == 1 ? 0 : levels_.of_run[static_cast<std::size_t>(run)];
   }
+  /// To which an observable belongs.
+  std::size_t experiment(Index k) const { return experiment_[static_cast<std::size_t>(k)]; }
+  /// Whether a run is of the experiment of an observable.
+  bool is_asked(Index run, Index k) const {
+    return levels_.experiment_of_run.empty() ||
+           levels_.experiment_of_run[static_cast<std::size_t>(run)] == experiment(k);
+  }
   Index parameters() const { return static_cast<Index>(ranges_.size()); }
   Index observables() const { return static_cast<Index>(surfaces_.size()); }
 
@@ -83,6 +93,7 @@ class Misfit {
   std::vector<std::shared_ptr<const ObservableSurface>> surfaces_;
   std::vector<LaboratoryValue> laboratory_;
   std::vector<double> discrepancy_;               ///< in units
+  std::vector<std::size_t> experiment_;           ///< of each observable
   std::vector<std::vector<SharedNoise>> shared_;  ///< of each pair of surfaces, one per level
 };
 

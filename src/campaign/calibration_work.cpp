@@ -11,15 +11,15 @@ namespace repose {
 namespace {
 
 CampaignPlan plan_of_levels(const CalibrationDeck& deck, const std::string& text, const RunRequest& request) {
-  std::vector<std::string> figures;
-  for (const ObservableDeck& o : deck.observables) figures.push_back(o.figure);
-  CampaignPlan plan = plan_of(deck.study, std::move(figures), text, request);
-  if (deck.levels.empty()) return plan;
+  CampaignPlan plan = plan_of(deck.study, run_figures(deck), text, request);
   plan.bases.clear();
-  for (std::size_t level = 0; level < deck.levels.size(); ++level) {
-    plan.bases.push_back(path_beside(request.deck, study_of_level(deck, level).base));
-    plan.levels.push_back(deck.levels[level].name);
+  for (std::size_t experiment = 0; experiment < deck.experiment_count(); ++experiment) {
+    for (std::size_t level = 0; level < deck.level_count(); ++level) {
+      plan.bases.push_back(path_beside(request.deck, study_of_level(deck, level, experiment).base));
+    }
   }
+  for (const LevelDeck& level : deck.levels) plan.levels.push_back(level.name);
+  for (const ExperimentDeck& experiment : deck.experiments) plan.experiments.push_back(experiment.name);
   return plan;
 }
 
@@ -33,6 +33,22 @@ CalibrationWork::CalibrationWork(const Communicator& world, const CalibrationDec
       stop_asked_(stop_asked),
       plan_(plan_of_levels(deck, text, request)) {
   plan_.report = report;
+  plan_.check_run = [&deck](const std::string& folder, const StudyRun& run) { check_curves(deck, folder, run); };
+}
+
+std::vector<RunFigure> run_figures(const CalibrationDeck& deck) {
+  std::vector<RunFigure> figures;
+  for (const ObservableDeck& o : deck.observables) {
+    if (!o.is_curve()) figures.push_back({o.figure, o.key, o.experiment});
+  }
+  return figures;
+}
+
+void CalibrationWork::write_table(const Projection& projection, std::span<const StudyRun> runs) const {
+  if (projection.curves.empty()) return;
+  std::vector<std::string> columns;
+  for (const ObservableDeck& o : projection.deck.observables) columns.push_back(o.figure);
+  write_campaign_table(plan_, columns, runs, projection.records);
 }
 
 DoneRuns CalibrationWork::at(std::span<const LevelPoint> points) {

@@ -6,9 +6,13 @@
 
 #include "calibration/acquisition.h"
 #include "campaign/campaign.h"
+#include "campaign/curve_observables.h"
 #include "deck/calibration_deck.h"
 
 namespace repose {
+
+/// The figures of the observables that are no curves.
+std::vector<RunFigure> run_figures(const CalibrationDeck& deck);
 
 /// Runs and what has become of them.
 struct DoneRuns {
@@ -26,6 +30,9 @@ class CalibrationWork {
 
   /// The runs at all these points; what is complete is not done again. DeckError, FileError, Stopped.
   DoneRuns at(std::span<const LevelPoint> points);
+
+  /// Puts the scores of curves into the tables of the runs. For rank 0.
+  void write_table(const Projection& projection, std::span<const StudyRun> runs) const;
 
   const Communicator& world() const { return world_; }
   const RunLog& log() const { return plan_.log; }

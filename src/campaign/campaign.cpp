@@ -43,10 +43,14 @@ class Group {
     while (true) {
       const std::int64_t drawn = draw();
       if (drawn >= std::ssize(order)) return true;
-      if (!do_run(runs[order[static_cast<std::size_t>(drawn)]])) return false;
+      const StudyRun& run = runs[order[static_cast<std::size_t>(drawn)]];
+      if (!do_run(run)) return false;
       if (comm_.is_root()) counters_.add(finished_runs, 1);
+      if (!is_as_meant(run)) return false;
     }
   }
+  /// Why a complete run is not what was meant. The same in the group.
+  const std::optional<Error>& complaint() const { return complaint_; }
 
  private:
   std::int64_t draw() {
@@ -66,7 +70,7 @@ class Group {
         log.reset(std::fopen((folder + "/run.log").c_str(), "a"));
         if (!log) throw FileError(fmt::format("{}/run.log: cannot be opened", folder));
       });
-      const RunRequest request = {plan_.bases[run.level], run.overrides, folder, plan_.level,
+      const RunRequest request = {plan_.bases[plan_.base_of(run)], run.overrides, folder, plan_.level,
                                   {log.get(), log.get()}, true};
       run_file(comm_, request, [&](double needed) { return stop_now(needed); });
     } catch (const Stopped&) {
@@ -79,6 +83,19 @@ class Group {
       note_failure(folder, ExitCode::physics, error.what());
     }
     return true;
+  }
+
+  /// False when the check of the plan says no: the other groups stop as well.
+  bool is_as_meant(const StudyRun& run) {
+    if (!plan_.check_run) return true;
+    try {
+      agree_after_root(comm_, [&] { plan_.check_run(folder_of(plan_.directory, run), run); });
+      return true;
+    } catch (const Error& error) {  // the same on all ranks of the group
+      complaint_ = error;
+    }
+    if (comm_.is_root()) counters_.add(stop_wanted, 1);
+    return false;
   }
 
   /// Where not even that can be written, the run waits again; the other groups must not wait for this one.
@@ -108,11 +125,12 @@ class Group {
   CampaignWatch* watch_;  ///< on rank 0 of the world
   const StopAsked& stop_asked_;
   WallClock::time_point last_asked_ = WallClock::now();
+  std::optional<Error> complaint_;
 };
 
 /// Particles times steps. What cannot be set up will say so when it is run.
 double planned_work(const CampaignPlan& plan, const StudyRun& run) {
-  const std::string& base = plan.bases[run.level];
+  const std::string& base = plan.bases[plan.base_of(run)];
   try {
     const Deck deck = read_deck(read_whole_file(base), base, run.overrides);
     return most_particle_steps(deck, [&](const std::string& file) { return read_whole_file(path_beside(base, file)); });
@@ -121,10 +139,10 @@ double planned_work(const CampaignPlan& plan, const StudyRun& run) {
   }
 }
 
-/// The same for many runs: alike for all of a level that differ in the laws of the contacts alone.
+/// The same for many runs: alike for all of a base deck that differ in the laws of the contacts alone.
 class PlannedWork {
  public:
-  explicit PlannedWork(const CampaignPlan& plan) : plan_(plan), of_level_(plan.bases.size()) {
+  explicit PlannedWork(const CampaignPlan& plan) : plan_(plan), of_base_(plan.bases.size()) {
     const std::vector<ParameterDeck>& parameters = plan.study.parameters;
     const auto is_of_pair = [](const ParameterDeck& p) { return p.key.starts_with("pair."); };
     alike_ = std::all_of(parameters.begin(), parameters.end(), is_of_pair);
@@ -133,7 +151,7 @@ class PlannedWork {
   double operator()(const StudyRun& run) {
     if (!alike_) return planned_work(plan_, run);
     if (plan_.bases.size() == 1) return 1.0;
-    std::optional<double>& known = of_level_[run.level];
+    std::optional<double>& known = of_base_[plan_.base_of(run)];
     if (!known) known = planned_work(plan_, run);
     return *known;
   }
@@ -141,7 +159,7 @@ class PlannedWork {
  private:
   const CampaignPlan& plan_;
   bool alike_ = false;
-  std::vector<std::optional<double>> of_level_;
+  std::vector<std::optional<double>> of_base_;
 };
 
 /// Collective. The runs to do, the same on all ranks.
@@ -168,9 +186,15 @@ void wait_for_all(const Communicator& world, CampaignWatch* watch) {
 
 }  // namespace
 
-CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
+CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, const std::string& deck_text,
                      const RunRequest& request) {
-  CampaignPlan plan{study, deck_text, {}, {}, std::move(figures), request.output, request.level, request.log};
+  CampaignPlan plan;
+  plan.study = study;
+  plan.deck_text = deck_text;
+  plan.figures = std::move(figures);
+  plan.directory = request.output;
+  plan.level = request.level;
+  plan.log = request.log;
   plan.bases = {path_beside(request.deck, study.base)};
   plan.study.set.insert(plan.study.set.end(), request.overrides.begin(), request.overrides.end());
   return plan;
@@ -182,15 +206,26 @@ std::string effort_text(const CampaignEffort& effort, int ranks) {
                      100.0 * effort.idle_share);
 }
 
+void write_campaign_table(const CampaignPlan& plan, const std::vector<std::string>& columns,
+                          std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+  GridTable table{plan.deck_text,   {},   columns, plan.levels,
+                  plan.experiments, runs, records, build_info(to_string(plan.level))};
+  for (const ParameterDeck& p : plan.study.parameters) table.parameters.push_back(p.name);
+  write_grid_table(plan.directory, table);
+}
+
 void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
   std::vector<std::string> texts;
   for (const std::string& base : plan.bases) texts.push_back(read_whole_file(base));
   std::vector<char> has_figures(plan.bases.size(), 0);
   for (const StudyRun& run : runs) {
-    const Deck deck = read_deck(texts[run.level], plan.bases[run.level], run.overrides);
-    if (has_figures[run.level] == 0) {
-      has_figures[run.level] = 1;
-      for (const std::string& figure : plan.figures) require_figure(deck, figure);
+    const std::size_t base = plan.base_of(run);
+    const Deck deck = read_deck(texts[base], plan.bases[base], run.overrides);
+    if (has_figures[base] == 0) {
+      has_figures[base] = 1;
+      for (const RunFigure& figure : plan.figures) {
+        if (figure.experiment == run.experiment) require_figure(deck, figure.key);
+      }
     }
     const std::string folder = folder_of(plan.directory, run);
     const std::string before = folder + "/deck.resolved.toml";
@@ -215,7 +250,8 @@ std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPla
   CampaignWatch* const my_watch = watch ? &*watch : nullptr;
 
   const WallClock::time_point start = WallClock::now();
-  const bool complete = Group(comm, plan, counters, my_watch, stop_asked).work(runs, order);
+  Group group(comm, plan, counters, my_watch, stop_asked);
+  const bool complete = group.work(runs, order);
   const double busy = seconds_since(start);
   wait_for_all(world, my_watch);
   effort.wall_seconds = world.max(seconds_since(start));
@@ -228,6 +264,9 @@ std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPla
     return records;
   }
   agree_after_root(world, [&] { watch->write_tables(); });
+  agree_after(world, [&] {
+    if (group.complaint()) throw *group.complaint();
+  });
   throw Stopped(fmt::format("stopped with {} of {} runs complete; the same command goes on from there",
                             std::ssize(runs) - std::ssize(order) + effort.runs, runs.size()));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,13 +19,21 @@ namespace repose {
 struct CampaignPlan {
   StudyDeck study;
   std::string deck_text;             ///< of the study, for the table
-  std::vector<std::string> bases;    ///< paths of the base decks, one per level
+  std::vector<std::string> bases;    ///< paths of the base decks, for each experiment one per level
   std::vector<std::string> levels;   ///< their names; empty: there is one, without a name
-  std::vector<std::string> figures;  ///< keys of summary.json, for the table
+  std::vector<std::string> experiments;  ///< likewise
+  std::vector<RunFigure> figures;        ///< for the table
   std::string directory;             ///< runs in runs/NAME, tables beside
   VectorLevel level;
   RunLog log;                    ///< of the whole; each run has a run.log of its own
   LiveReport* report = nullptr;  ///< to be renewed meanwhile; rank 0
+  /// Throws an Error when a complete run, in this folder, is not what was meant. On rank 0 of its group; may be empty.
+  std::function<void(const std::string& folder, const StudyRun& run)> check_run;
+
+  /// The place in `bases` of a run's base deck.
+  std::size_t base_of(const StudyRun& run) const {
+    return run.experiment * std::max<std::size_t>(1, levels.size()) + run.level;
+  }
 };
 
 /// How the ranks have spent a campaign.
@@ -34,13 +44,17 @@ struct CampaignEffort {
   double idle_share = 0.0;  ///< of all ranks' time, in which they waited for the others' last runs
 };
 
-/// For one level. Figures are keys of summary.json; `request` names the study's deck, whose text is given, and the
+/// For one level and experiment. `request` names the study's deck, whose text is given, and the
 /// directory. Its overrides are of the base deck.
-CampaignPlan plan_of(const StudyDeck& study, std::vector<std::string> figures, const std::string& deck_text,
+CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, const std::string& deck_text,
                      const RunRequest& request);
 
 /// A line for a person.
 std::string effort_text(const CampaignEffort& effort, int ranks);
+
+/// The table of these runs, with a column for each figure of the records.
+void write_campaign_table(const CampaignPlan& plan, const std::vector<std::string>& columns,
+                          std::span<const StudyRun> runs, std::span<const RunRecord> records);
 
 /// DeckError when a run's deck is wrong, one of the figures is not measured, or the directory holds results of another
 /// base deck. For rank 0.
@@ -49,7 +63,7 @@ void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs);
 /// Collective. Does the runs that are not complete, on groups of ranks which draw one after the other, each in a folder
 /// of its own where it goes on if it was interrupted. A run that fails is noted and ends no other. The records of all
 /// runs on rank 0; the tables are written now and then, and at the end. Stopped when `stop_asked` gives a reason
-/// anywhere: the runs under way leave checkpoints.
+/// anywhere: the runs under way leave checkpoints. The same when `check_run` throws.
 std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPlan& plan, std::span<const StudyRun> runs,
                                     const StopAsked& stop_asked, CampaignEffort& effort);
 

@@ -52,9 +52,9 @@ std::vector<RunRecord> CampaignWatch::write_tables() {
     RunRecord& record = records[order_[static_cast<std::size_t>(k)]];
     if (record.state == RunState::waiting) record.state = RunState::running;
   }
-  GridTable table{plan_.deck_text, {}, plan_.figures, plan_.levels, runs_, records, build_info(to_string(plan_.level))};
-  for (const ParameterDeck& p : plan_.study.parameters) table.parameters.push_back(p.name);
-  write_grid_table(plan_.directory, table);
+  std::vector<std::string> columns;
+  for (const RunFigure& figure : plan_.figures) columns.push_back(figure.column);
+  write_campaign_table(plan_, columns, runs_, records);
   return records;
 }
 

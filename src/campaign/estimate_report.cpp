@@ -100,14 +100,15 @@ std::string runs_text(std::span<const RunRecord> records) {
                      count(RunState::waiting) + count(RunState::running));
 }
 
-std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, std::span<const RunRecord> records) {
+std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, std::span<const RunRecord> records,
+                    const std::string& curves) {
   std::string text = runs_text(records);
   for (const ObservableDeck& o : deck.observables) {
     text += fmt::format("laboratory {:26} {:.5g}, standard error {:.2g} ({:.2g} / sqrt({}))", o.figure, o.laboratory,
                         o.deviation / std::sqrt(static_cast<double>(o.repeats)), o.deviation, o.repeats);
     text += o.model_deviation() > 0.0 ? fmt::format(", discrepancy of the model {:.2g}\n", o.model_deviation()) : "\n";
   }
-  text += estimate.verdict + "\n";
+  text += curves + estimate.verdict + "\n";
   for (const CalibratedPoint& point : estimate.points) text += point_text(deck, estimate, point);
   if (estimate.points.empty()) text += nearest_text(deck, estimate.nearest);
   return text;
@@ -131,7 +132,9 @@ std::string other_text(const CalibrationDeck& deck, const OtherEstimate& other) 
 
 }  // namespace
 
-Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
+  const CalibrationDeck& deck = projection.deck;
+  const std::span<const RunRecord> records = projection.records;
   const std::vector<ObservableData> data = observable_data(deck, records);
   const Misfit misfit = misfit_of(deck, runs, records);
   const Estimate result = estimate(misfit, deck.confidence);
@@ -159,8 +162,9 @@ Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, st
                  {"misfit", json_number(result.nearest.misfit)},
                  {"acceptable", result.nearest.acceptable}}},
                {"half_width", json_number(result.half_width)}};
+  if (!projection.curves.empty()) json["curves"] = curves_json(projection.curves);
   if (misfit.parameters() == 2) json["surfaces"] = surface_json(misfit, deck, result.limit);
-  std::string text = text_of(deck, result, records);
+  std::string text = text_of(deck, result, records, curves_text(projection.curves));
   if (!deck.levels.empty()) {
     const OtherEstimate first = first_level_alone(deck, runs, records);
     json["levels"] = levels_json(deck, runs, records);

@@ -4,9 +4,8 @@
 #include <string>
 
 #include "calibration/estimate.h"
-#include "campaign/run_folder.h"
+#include "campaign/curve_observables.h"
 #include "campaign/run_list.h"
-#include "deck/calibration_deck.h"
 
 namespace repose {
 
@@ -17,7 +16,7 @@ struct Report {
 };
 
 /// DeckError when no surface can be built from the runs.
-Report report_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records);
+Report report_of(const Projection& projection, std::span<const StudyRun> runs);
 
 /// One line while a search is under way.
 std::string progress_of(const Estimate& estimate);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 namespace repose {
 namespace {
@@ -17,23 +18,25 @@ double squared_distance(const StudyRun& a, const StudyRun& b, std::span<const Pa
   return sum;
 }
 
-/// A run of another level tells less of the speed than any of the same.
-double other_level(const StudyRun& a, const StudyRun& b) {
+bool is_same_test(const StudyRun& a, const StudyRun& b) { return a.level == b.level && a.experiment == b.experiment; }
+
+/// A run of another test or level tells less of the speed than any of the same.
+double other_test(const StudyRun& a, const StudyRun& b) {
   constexpr double far = 1e6;
-  return a.level == b.level ? 0.0 : far;
+  return is_same_test(a, b) ? 0.0 : far;
 }
 
 }  // namespace
 
 double expected_particle_steps(std::span<const StudyRun> runs, std::span<const RunRecord> records,
                                std::span<const ParameterDeck> parameters, std::size_t level,
-                               const std::vector<double>& values) {
+                               std::size_t experiment, const std::vector<double>& values) {
   constexpr double near = 0.01;  // squared, over the ranges: nearer runs are worth the same
-  const StudyRun there{values, 0, "", {}, level};
+  const StudyRun there{values, 0, "", {}, level, experiment};
   double weights = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs[i].level != level || !(records[i].particle_steps > 0.0)) continue;
+    if (!is_same_test(runs[i], there) || !(records[i].particle_steps > 0.0)) continue;
     const double weight = 1.0 / (near + squared_distance(runs[i], there, parameters));
     weights += weight;
     sum += weight * std::log(records[i].particle_steps);
@@ -45,8 +48,8 @@ std::vector<std::size_t> longest_first(std::span<const StudyRun> runs, std::span
                                        std::span<const ParameterDeck> parameters, const WorkOf& work_of) {
   const auto waits = [](const RunRecord& record) { return record.state == RunState::waiting; };
   if (std::none_of(records.begin(), records.end(), waits)) return {};  // the work of a run takes its set-up
-  std::map<std::pair<std::size_t, std::vector<double>>, double> work;  // that of one seed is that of all
-  const auto key_of = [](const StudyRun& run) { return std::pair(run.level, run.values); };
+  std::map<std::tuple<std::size_t, std::size_t, std::vector<double>>, double> work;  // that of one seed is that of all
+  const auto key_of = [](const StudyRun& run) { return std::tuple(run.experiment, run.level, run.values); };
   for (const StudyRun& run : runs) {
     if (!work.contains(key_of(run))) work[key_of(run)] = std::max(work_of(run), 1.0);
   }
@@ -59,7 +62,7 @@ std::vector<std::size_t> longest_first(std::span<const StudyRun> runs, std::span
     double speed = 1.0;
     for (std::size_t j = 0; j < runs.size(); ++j) {
       if (records[j].state != RunState::done && records[j].state != RunState::plugged) continue;
-      const double distance = squared_distance(runs[i], runs[j], parameters) + other_level(runs[i], runs[j]);
+      const double distance = squared_distance(runs[i], runs[j], parameters) + other_test(runs[i], runs[j]);
       if (distance >= least) continue;
       least = distance;
       speed = work[key_of(runs[j])] / std::max(records[j].wall_seconds * records[j].ranks, 1e-3);

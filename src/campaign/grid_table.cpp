@@ -48,9 +48,11 @@ void write_hdf5(const std::string& path, const GridTable& table) {
   file.write_rows("/runs/parameters", std::span<const double>(parameter_rows(table)), rows,
                   static_cast<int>(table.parameters.size()));
   file.write_attribute("/runs/parameters", "names", std::span<const std::string>(table.parameters));
-  file.write_rows("/runs/figures", std::span<const double>(figure_rows(table)), rows,
-                  static_cast<int>(table.figures.size()));
-  file.write_attribute("/runs/figures", "names", std::span<const std::string>(table.figures));
+  if (!table.figures.empty()) {  // a curve has none before its runs are complete
+    file.write_rows("/runs/figures", std::span<const double>(figure_rows(table)), rows,
+                    static_cast<int>(table.figures.size()));
+    file.write_attribute("/runs/figures", "names", std::span<const std::string>(table.figures));
+  }
   std::vector<std::int64_t> seeds;
   std::vector<std::string> folders;
   for (const StudyRun& run : table.runs) {
@@ -62,12 +64,15 @@ void write_hdf5(const std::string& path, const GridTable& table) {
   };
   file.write_rows("/runs/seed", std::span<const std::int64_t>(seeds), rows);
   texts("folder", folders);
-  if (!table.levels.empty()) {
-    std::vector<std::string> levels;
-    for (const StudyRun& run : table.runs) levels.push_back(table.levels[run.level]);
-    texts("level", levels);
-    file.write_attribute("/runs/level", "names", std::span<const std::string>(table.levels));
-  }
+  const auto names = [&](const char* name, const std::vector<std::string>& all, std::size_t StudyRun::*place) {
+    if (all.empty()) return;
+    std::vector<std::string> values;
+    for (const StudyRun& run : table.runs) values.push_back(all[run.*place]);
+    texts(name, values);
+    file.write_attribute(std::string("/runs/") + name, "names", std::span<const std::string>(all));
+  };
+  names("level", table.levels, &StudyRun::level);
+  names("experiment", table.experiments, &StudyRun::experiment);
   texts("state", column<std::string>(table.records, [](const RunRecord& r) { return to_string(r.state); }));
   texts("reason", column<std::string>(table.records, [](const RunRecord& r) { return r.reason; }));
   texts("state_hash", column<std::string>(table.records, [](const RunRecord& r) { return r.state_hash; }));
@@ -89,10 +94,14 @@ std::string quoted(const std::string& text) {
 }
 
 std::string csv_of(const GridTable& table) {
-  std::string text = table.levels.empty() ? "" : "level,";
-  text += fmt::format("{},seed,state,{},reason\n", fmt::join(table.parameters, ","), fmt::join(table.figures, ","));
+  std::string text = table.experiments.empty() ? "" : "experiment,";
+  if (!table.levels.empty()) text += "level,";
+  text += fmt::format("{},seed,state,", fmt::join(table.parameters, ","));
+  for (const std::string& figure : table.figures) text += figure + ",";
+  text += "reason\n";
   for (std::size_t i = 0; i < table.runs.size(); ++i) {
     const RunRecord& record = table.records[i];
+    if (!table.experiments.empty()) text += table.experiments[table.runs[i].experiment] + ",";
     if (!table.levels.empty()) text += table.levels[table.runs[i].level] + ",";
     for (const double value : table.runs[i].values) text += fmt::format("{},", value);
     text += fmt::format("{},{},", table.runs[i].seed, to_string(record.state));

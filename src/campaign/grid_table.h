@@ -14,8 +14,9 @@ namespace repose {
 struct GridTable {
   std::string deck;                     ///< of the study, as it was given
   std::vector<std::string> parameters;  ///< names
-  std::vector<std::string> figures;     ///< keys of summary.json
+  std::vector<std::string> figures;     ///< their columns
   std::vector<std::string> levels;      ///< names; empty: there is one level
+  std::vector<std::string> experiments;  ///< likewise
   std::span<const StudyRun> runs;
   std::span<const RunRecord> records;
   BuildInfo build;

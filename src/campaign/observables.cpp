@@ -39,9 +39,11 @@ std::vector<std::vector<double>> places_of(std::span<const StudyRun> runs) {
 }
 
 RunLevels levels_of(const CalibrationDeck& deck, std::span<const StudyRun> runs) {
-  if (deck.levels.empty()) return {};
-  RunLevels levels{.count = deck.levels.size(), .of_run = {}};
-  for (const StudyRun& run : runs) levels.of_run.push_back(run.level);
+  RunLevels levels{.count = deck.level_count(), .of_run = {}, .experiment_of_run = {}};
+  for (const StudyRun& run : runs) {
+    if (!deck.levels.empty()) levels.of_run.push_back(run.level);
+    if (!deck.experiments.empty()) levels.experiment_of_run.push_back(run.experiment);
+  }
   return levels;
 }
 
@@ -49,12 +51,16 @@ Misfit misfit_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, st
   return {ranges_of(deck.study), places_of(runs), levels_of(deck, runs), observable_data(deck, records)};
 }
 
+bool counts(const RunRecord& record, const std::string& measured) {
+  const bool is_mass = measured == "discharged_mass_kg" || measured == "retained_mass_kg";
+  return record.state == RunState::done || (record.state == RunState::plugged && is_mass);
+}
+
 std::vector<double> values_of_figure(std::span<const RunRecord> records, const std::string& figure, std::size_t k) {
-  const bool is_mass = figure == "discharged_mass_kg" || figure == "retained_mass_kg";
   std::vector<double> values;
   for (const RunRecord& record : records) {
-    const bool counts = record.state == RunState::done || (record.state == RunState::plugged && is_mass);
-    values.push_back(counts && record.figures[k] ? *record.figures[k] : std::numeric_limits<double>::quiet_NaN());
+    const bool has_value = counts(record, figure) && record.figures[k];
+    values.push_back(has_value ? *record.figures[k] : std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }
@@ -63,8 +69,8 @@ std::vector<ObservableData> observable_data(const CalibrationDeck& deck, std::sp
   std::vector<ObservableData> data;
   for (std::size_t k = 0; k < deck.observables.size(); ++k) {
     const ObservableDeck& o = deck.observables[k];
-    data.push_back({o.figure, transform_of(o.scale), laboratory_of(o), values_of_figure(records, o.figure, k),
-                    o.model_deviation()});
+    data.push_back({o.figure, transform_of(o.scale), laboratory_of(o), values_of_figure(records, o.measured(), k),
+                    o.model_deviation(), o.experiment});
   }
   return data;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -77,9 +78,21 @@ RunRecord read_run_folder(const std::string& folder, std::span<const std::string
 std::string folder_of(const std::string& directory, const StudyRun& run) { return directory + "/runs/" + run.name; }
 
 std::vector<RunRecord> read_run_folders(const std::string& directory, std::span<const StudyRun> runs,
-                                        std::span<const std::string> figures) {
+                                        std::span<const RunFigure> figures) {
   std::vector<RunRecord> records;
-  for (const StudyRun& run : runs) records.push_back(read_run_folder(folder_of(directory, run), figures));
+  for (const StudyRun& run : runs) {
+    std::vector<std::string> own;
+    for (const RunFigure& figure : figures) {
+      if (figure.experiment == run.experiment) own.push_back(figure.key);
+    }
+    RunRecord& record = records.emplace_back(read_run_folder(folder_of(directory, run), own));
+    auto found = record.figures.begin();
+    std::vector<std::optional<double>> all;
+    for (const RunFigure& figure : figures) {
+      all.push_back(figure.experiment == run.experiment ? *found++ : std::nullopt);
+    }
+    record.figures = std::move(all);
+  }
   return records;
 }
 

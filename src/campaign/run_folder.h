@@ -31,12 +31,19 @@ struct RunRecord {
 /// was wrong) waits again; one whose physics broke would break again. FileError when a file cannot be read.
 RunRecord read_run_folder(const std::string& folder, std::span<const std::string> figures);
 
+/// A figure that the runs of one experiment are asked for.
+struct RunFigure {
+  std::string column;  ///< its name in tables
+  std::string key;     ///< of summary.json
+  std::size_t experiment = 0;
+};
+
 /// The folder of a run in the directory of its study: runs/NAME.
 std::string folder_of(const std::string& directory, const StudyRun& run);
 
-/// Reads the folders of all runs.
+/// Reads the folders of all runs; a run has none of the figures of other experiments.
 std::vector<RunRecord> read_run_folders(const std::string& directory, std::span<const StudyRun> runs,
-                                        std::span<const std::string> figures);
+                                        std::span<const RunFigure> figures);
 
 /// Notes in the folder why its run has failed.
 void write_failure(const std::string& folder, ExitCode code, const std::string& reason);

@@ -16,7 +16,7 @@ namespace repose {
 namespace {
 
 StudyRun run_at(const StudyDeck& study, const std::vector<double>& values, std::int64_t seed) {
-  StudyRun run{values, seed, "", study.set, 0};
+  StudyRun run{values, seed, "", study.set};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const ParameterDeck& p = study.parameters[i];
     run.name += fmt::format("{}={},", p.name, values[i]);  // as short as gives the same number back

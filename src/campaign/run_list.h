@@ -14,6 +14,7 @@ struct StudyRun {
   std::string name;                    ///< of its folder, from the values and the seed alone
   std::vector<std::string> overrides;  ///< of the base deck
   std::size_t level = 0;               ///< of the model
+  std::size_t experiment = 0;
 };
 
 /// All seeds at each point, point after point. A point that stands there again gets the next seeds.

@@ -62,16 +62,21 @@ BatchPlan batch_after(const CalibrationDeck& deck, const DoneRuns& done, std::si
   BatchPlan batch;
   batch.points = static_cast<std::size_t>(a.batch);
   if (a.budget > 0) batch.points = std::min(batch.points, static_cast<std::size_t>(a.budget) - points);
-  for (std::size_t level = 0; level < deck.level_count(); ++level) {
-    batch.seeds.push_back(static_cast<std::size_t>(study_of_level(deck, level).seeds));
+  for (std::size_t e = 0; e < deck.experiment_count(); ++e) {
+    for (std::size_t level = 0; level < deck.level_count(); ++level) {
+      batch.seeds.push_back(static_cast<std::size_t>(study_of_level(deck, level, e).seeds));
+    }
   }
   batch.cost = [](const LevelPoint&) { return 1.0; };
   const bool in_core_hours = !std::isnan(a.budget_core_hours);
   if (deck.levels.empty() && !in_core_hours) return batch;
-  batch.cost = [&deck, &done, seeds = batch.seeds](const LevelPoint& point) {
-    return static_cast<double>(seeds[point.level]) *
-           expected_particle_steps(done.runs, done.records, deck.study.parameters, point.level, point.values) /
-           (deck.adaptive.core_speed * seconds_per_hour);
+  batch.cost = [&deck, &done](const LevelPoint& point) {
+    double steps = 0.0;
+    for (std::size_t e = 0; e < deck.experiment_count(); ++e) {
+      steps += static_cast<double>(study_of_level(deck, point.level, e).seeds) *
+               expected_particle_steps(done.runs, done.records, deck.study.parameters, point.level, e, point.values);
+    }
+    return steps / (deck.adaptive.core_speed * seconds_per_hour);
   };
   if (in_core_hours) batch.budget = a.budget_core_hours - core_hours(deck, done.records);
   return batch;
@@ -110,7 +115,8 @@ DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
     DoneRuns done = work.at(points);
     Points more;
     agree_after_root(work.world(), [&] {
-      const Misfit misfit = misfit_of(deck, done.runs, done.records);
+      const Projection now_known = project_curves(deck, work.directory(), done.runs, done.records);
+      const Misfit misfit = misfit_of(now_known.deck, done.runs, now_known.records);
       const Estimate now = estimate(misfit, deck.confidence);
       narrow = now.half_width && *now.half_width <= deck.adaptive.half_width ? narrow + 1 : 0;
       work.log().say(fmt::format("{}: {}", counts_of(deck, points), progress_of(now)));

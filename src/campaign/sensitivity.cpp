@@ -152,7 +152,9 @@ Effects effects_of(const SensitivityDeck& deck, const Design& design, std::span<
 std::string sensitivity_file(const Communicator& world, const RunRequest& request, const StopAsked& stop_asked) {
   const std::string text = read_shared_file(world, request.deck);
   const SensitivityDeck deck = read_sensitivity_deck(text, request.deck);
-  const CampaignPlan plan = plan_of(deck.study, deck.figures, text, request);
+  std::vector<RunFigure> figures;
+  for (const std::string& figure : deck.figures) figures.push_back({figure, figure});
+  const CampaignPlan plan = plan_of(deck.study, figures, text, request);
   const Design design(deck);
   const std::vector<StudyRun> runs = runs_at(plan.study, design.all);
   agree_after_root(world, [&] {

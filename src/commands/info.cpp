@@ -70,6 +70,7 @@ std::string describe(FileContents contents, const std::string& file) {
     const std::int64_t runs = std::accumulate(contents.states.begin(), contents.states.end(), std::int64_t{0},
                                               [](std::int64_t sum, const Count& c) { return sum + c.count; });
     add("runs", fmt::format("{}: {}", runs, counts(contents.states)));
+    if (!contents.experiments.empty()) add("experiments", counts(contents.experiments));
     if (!contents.levels.empty()) add("levels", counts(contents.levels));
     add("parameters", fmt::format("{}", fmt::join(contents.columns, ", ")));
     add("figures", fmt::format("{}", fmt::join(contents.figures, ", ")));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -17,13 +18,31 @@ constexpr auto enumerators(ObservableScale) {
 
 template <class V>
 void describe(V& v, ObservableDeck& o) {
-  v("figure", o.figure, Unit::none, any_value, required, "key of summary.json");
-  v("laboratory", o.laboratory, Unit::none, any_value, required, "measured mean, in the unit of the figure");
-  v("deviation", o.deviation, Unit::none, at_least(0), required, "standard deviation of one measurement");
+  v("curve", o.curve, Unit::none, any_value, optional_else("none; this or figure"),
+    "CSV with the columns x, y, deviation, relative to this file");
+  const bool curve = o.is_curve();
+  v("figure", o.figure, Unit::none, any_value, required.when(!curve, "without curve"), "key of summary.json");
+  v("laboratory", o.laboratory, Unit::none, any_value, required.when(!curve, "without curve"),
+    "measured mean, in the unit of the figure");
+  v("deviation", o.deviation, Unit::none, at_least(0), required.when(!curve, "without curve"),
+    "standard deviation of one measurement");
+  v("name", o.name, Unit::none, any_value, required.when(curve, "with curve"), "name in tables, used once");
+  v("series", o.series, Unit::none, any_value, required.when(curve, "with curve"),
+    "table that a run writes, such as series.csv");
+  v("x", o.x, Unit::none, any_value, required.when(curve, "with curve"), "its column to compare over");
+  v("y", o.y, Unit::none, any_value, required.when(curve, "with curve"), "its column to compare");
+  v("phase", o.phase, Unit::none, any_value, optional_else("all rows").when(curve, "with curve"),
+    "whose rows count, x from its begin");
+  v("correlation_length", o.correlation_length, Unit::none, at_least(0),
+    optional_else("that of the curve").when(curve, "with curve"),
+    "over which deviations of the laboratory are alike, in the unit of x");
+  v("components", o.components, Unit::none, at_least(1), optional.when(curve, "with curve"),
+    "onto which it is projected, at most");
   v("repeats", o.repeats, Unit::none, at_least(1), optional, "measurements behind the mean");
   v("deviation_is_known", o.deviation_is_known, Unit::none, any_value, optional,
     "false: the deviation is an estimate from these repeats");
-  v("scale", o.scale, Unit::none, any_value, optional, "on which the surface is built: square_root suits counts");
+  v("scale", o.scale, Unit::none, any_value, optional.when(!curve, "without curve"),
+    "on which the surface is built: square_root suits counts");
   v("discrepancy", o.discrepancy, Unit::none, at_least(0), optional,
     "standard deviation of what the model cannot be expected to meet");
   v("discrepancy_share", o.discrepancy_share, Unit::none, at_least(0), optional,
@@ -37,6 +56,25 @@ void describe(V& v, LevelDeck& l) {
   v("set", l.set, Unit::none, any_value, optional, "keys of its deck to replace, after those of the file");
   v("seeds", l.seeds, Unit::none, at_least(1), optional_else("those of the file"), "runs at each of its points");
   v("start", l.start, Unit::none, at_least(4), optional_else("that of [adaptive]"), "points of its first design");
+}
+
+template <class V>
+void describe(V& v, ExperimentLevelDeck& l) {
+  v("name", l.name, Unit::none, any_value, required, "of a [[level]]");
+  v("base", l.base, Unit::none, any_value, optional_else("that of the experiment"),
+    "deck to run, relative to this file");
+  v("set", l.set, Unit::none, any_value, optional, "keys of its deck to replace, after those of the level");
+  v("seeds", l.seeds, Unit::none, at_least(1), optional_else("those of the level"), "runs at each of its points");
+}
+
+template <class V>
+void describe(V& v, ExperimentDeck& e) {
+  v("name", e.name, Unit::none, any_value, required, "name in tables and folders, used once");
+  v("base", e.base, Unit::none, any_value, optional_else("that of the file"), "deck to run, relative to this file");
+  v("set", e.set, Unit::none, any_value, optional, "keys of its deck to replace, after those of the file");
+  v("seeds", e.seeds, Unit::none, at_least(1), optional_else("those of the file"), "runs at each point");
+  v.sections("observable", e.observables, required, "a figure or a curve of this test and what the laboratory has");
+  v.sections("level", e.levels, optional, "what this test changes at a level of the model");
 }
 
 template <class V>
@@ -59,12 +97,13 @@ void describe(V& v, AdaptiveDeck& a) {
 
 template <class V>
 void describe(V& v, CalibrationDeck& d) {
-  describe_study(v, d.study);
+  describe_study(v, d.study, optional_else("none; each experiment then needs its own"));
   v("confidence", d.confidence, Unit::none, Range{.min = 0, .max = 1, .excludes_min = true, .excludes_max = true},
     optional, "of the region");
   v.sections("point", d.points, optional, "a point to run at, instead of a grid");
-  v.sections("observable", d.observables, required, "a figure and its laboratory value");
+  v.sections("observable", d.observables, optional, "a figure or a curve and what the laboratory has");
   v.sections("level", d.levels, optional, "a level of the model, the cheapest first; the last one counts");
+  v.sections("experiment", d.experiments, optional, "one of several tests that share the parameters");
   v.section("adaptive", d.adaptive, optional, "decide on the points as the results come in");
 }
 
@@ -112,33 +151,89 @@ void check_number_of_runs(const CalibrationDeck& deck, DeckErrors& errors) {
   }
   if (!deck.points.empty()) points = static_cast<double>(deck.points.size());
   if (deck.adaptive.enabled) points = static_cast<double>(std::max(deck.adaptive.budget, deck.adaptive.start));
-  double runs = points * static_cast<double>(deck.study.seeds);
-  if (!deck.levels.empty()) {
-    runs = 0.0;
-    for (std::size_t k = 0; k < deck.levels.size(); ++k) {
-      runs += (deck.adaptive.enabled ? static_cast<double>(start_of_level(deck, k)) : points) *
-              static_cast<double>(study_of_level(deck, k).seeds);
+  double runs = 0.0;
+  for (std::size_t k = 0; k < deck.level_count(); ++k) {
+    const bool has_start = deck.adaptive.enabled && !deck.levels.empty();
+    for (std::size_t e = 0; e < deck.experiment_count(); ++e) {
+      runs += (has_start ? static_cast<double>(start_of_level(deck, k)) : points) *
+              static_cast<double>(study_of_level(deck, k, e).seeds);
     }
   }
   if (runs > most) errors.add("parameter", fmt::format("these are {:.3g} runs; at most {:.0g} are taken", runs, most));
 }
 
-void check_observables(const CalibrationDeck& deck, DeckErrors& errors) {
-  for (std::size_t i = 0; i < deck.observables.size(); ++i) {
-    const ObservableDeck& o = deck.observables[i];
-    const std::string section = fmt::format("observable.{}", i);
+void check_observable(const ObservableDeck& o, const std::string& section, DeckErrors& errors) {
+  if (!o.deviation_is_known && o.repeats < 2) {
+    errors.add(section + ".repeats", "a deviation estimated from the repeats takes at least 2");
+  }
+  if (o.discrepancy > 0.0 && o.discrepancy_share > 0.0) {
+    errors.add(section + ".discrepancy", "\"discrepancy\" and \"discrepancy_share\" exclude each other");
+  }
+  if (o.scale != ObservableScale::linear && !(o.laboratory > 0.0)) {
+    errors.add(section + ".laboratory", "must be above 0 on this scale");
+  }
+  if (!o.is_curve()) return;
+  check_plain_name(o.name, section + ".name", errors);
+  if (o.series.find('/') != std::string::npos)
+    errors.add(section + ".series", "\"series\" is a file in the folder of a run");
+}
+
+/// Those of the study or of one experiment, with what they are called in tables.
+void check_observables(std::vector<ObservableDeck>& observables, const std::string& sections, DeckErrors& errors) {
+  for (std::size_t i = 0; i < observables.size(); ++i) {
+    ObservableDeck& o = observables[i];
+    const std::string section = fmt::format("{}observable.{}", sections, i);
+    check_observable(o, section, errors);
+    o.key = o.figure;
+    if (o.is_curve()) o.figure = o.name;
     for (std::size_t j = 0; j < i; ++j) {
-      if (deck.observables[j].figure != o.figure) continue;
-      errors.add(section + ".figure", fmt::format("\"{}\" is another observable's figure, too", o.figure));
+      if (observables[j].figure != o.figure) continue;
+      errors.add(section + (o.is_curve() ? ".name" : ".figure"),
+                 fmt::format("\"{}\" is another observable's {}, too", o.figure, o.is_curve() ? "name" : "figure"));
     }
-    if (!o.deviation_is_known && o.repeats < 2) {
-      errors.add(section + ".repeats", "a deviation estimated from the repeats takes at least 2");
+  }
+}
+
+/// The observables of the experiments become those of the deck.
+void check_experiments(CalibrationDeck& deck, DeckErrors& errors) {
+  if (deck.experiments.empty()) {
+    if (deck.study.base.empty()) errors.add("base", "the file lacks \"base\", the deck to run");
+    if (deck.observables.empty())
+      errors.add("observable", "the file lacks [[observable]]; or [[experiment]] with their own");
+    return;
+  }
+  if (!deck.observables.empty()) {
+    errors.add("observable", "with [[experiment]] each observable is an [[experiment.observable]]");
+    return;
+  }
+  for (std::size_t i = 0; i < deck.levels.size(); ++i) {
+    if (deck.levels[i].base.empty()) continue;
+    errors.add(fmt::format("level.{}.base", i), "with [[experiment]] \"base\" stands in [[experiment.level]]");
+  }
+  for (std::size_t i = 0; i < deck.experiments.size(); ++i) {
+    ExperimentDeck& e = deck.experiments[i];
+    const std::string section = fmt::format("experiment.{}", i);
+    check_plain_name(e.name, section + ".name", errors);
+    if (e.base.empty() && deck.study.base.empty())
+      errors.add(section, "[[experiment]] lacks \"base\", and the file has none");
+    for (std::size_t j = 0; j < i; ++j) {
+      if (deck.experiments[j].name == e.name)
+        errors.add(section + ".name", fmt::format("\"{}\" names another experiment, too", e.name));
     }
-    if (o.discrepancy > 0.0 && o.discrepancy_share > 0.0) {
-      errors.add(section + ".discrepancy", "\"discrepancy\" and \"discrepancy_share\" exclude each other");
+    check_observables(e.observables, section + ".", errors);
+    for (std::size_t k = 0; k < e.levels.size(); ++k) {
+      const std::string& name = e.levels[k].name;
+      const auto is_it = [&](const auto& l) { return l.name == name; };
+      const std::string key = fmt::format("{}.level.{}.name", section, k);
+      if (std::none_of(deck.levels.begin(), deck.levels.end(), is_it))
+        errors.add(key, fmt::format("\"{}\" is no [[level]] of the file", name));
+      if (std::any_of(e.levels.begin(), e.levels.begin() + static_cast<std::ptrdiff_t>(k), is_it))
+        errors.add(key, fmt::format("\"{}\" stands here twice", name));
     }
-    if (o.scale != ObservableScale::linear && !(o.laboratory > 0.0)) {
-      errors.add(section + ".laboratory", "must be above 0 on this scale");
+    for (ObservableDeck o : e.observables) {
+      o.figure = e.name + "." + o.figure;
+      o.experiment = i;
+      deck.observables.push_back(std::move(o));
     }
   }
 }
@@ -154,7 +249,13 @@ void check_levels(const CalibrationDeck& deck, DeckErrors& errors) {
     }
     if (level.start > 0 && !deck.adaptive.enabled)
       errors.add(section + ".start", "\"start\" belongs to a search, which takes [adaptive]");
-    if (i > 0 && level.base == deck.levels[i - 1].base && level.set == deck.levels[i - 1].set)
+    bool is_same = i > 0;
+    for (std::size_t e = 0; is_same && e < deck.experiment_count(); ++e) {
+      const StudyDeck own = study_of_level(deck, i, e);
+      const StudyDeck below = study_of_level(deck, i - 1, e);
+      is_same = own.base == below.base && own.set == below.set;
+    }
+    if (is_same)
       errors.add(section, fmt::format("is the same model as level \"{}\"", deck.levels[i - 1].name));
   }
 }
@@ -173,9 +274,10 @@ void check_adaptive(const CalibrationDeck& deck, DeckErrors& errors) {
 
 void check(CalibrationDeck& deck, DeckErrors& errors) {
   check_study(deck.study, errors);
+  check_observables(deck.observables, "", errors);
+  check_experiments(deck, errors);
   check_levels(deck, errors);
   check_points(deck, errors);
-  check_observables(deck, errors);
   check_number_of_runs(deck, errors);
   check_adaptive(deck, errors);
 }
@@ -190,13 +292,20 @@ double ObservableDeck::model_deviation() const {
   return discrepancy > 0.0 ? discrepancy : discrepancy_share * std::fabs(laboratory);
 }
 
-StudyDeck study_of_level(const CalibrationDeck& deck, std::size_t level) {
+StudyDeck study_of_level(const CalibrationDeck& deck, std::size_t level, std::size_t experiment) {
   StudyDeck study = deck.study;
+  const auto change = [&](const auto& own) {
+    if (!own.base.empty()) study.base = own.base;
+    study.set.insert(study.set.end(), own.set.begin(), own.set.end());
+    if (own.seeds > 0) study.seeds = own.seeds;
+  };
+  if (!deck.experiments.empty()) change(deck.experiments.at(experiment));
   if (deck.levels.empty()) return study;
-  const LevelDeck& own = deck.levels.at(level);
-  if (!own.base.empty()) study.base = own.base;
-  study.set.insert(study.set.end(), own.set.begin(), own.set.end());
-  if (own.seeds > 0) study.seeds = own.seeds;
+  change(deck.levels.at(level));
+  if (deck.experiments.empty()) return study;
+  for (const ExperimentLevelDeck& own : deck.experiments[experiment].levels) {
+    if (own.name == deck.levels[level].name) change(own);
+  }
   return study;
 }
 

@@ -10,9 +10,14 @@ namespace repose {
 /// The scale on which the surface of an observable is built.
 enum class ObservableScale { linear, square_root, logarithm };
 
-/// A figure of the runs, and what the laboratory has.
+/// What a laboratory has measured over something: a mean and the deviation of one measurement at each x, which rises.
+struct LaboratoryCurve {
+  std::vector<double> x, y, deviation;
+};
+
+/// A figure or a curve of the runs, and what the laboratory has.
 struct ObservableDeck {
-  std::string figure;              ///< key of summary.json
+  std::string figure;              ///< its name in tables; as read, the key of summary.json
   double laboratory = unset;       ///< in the unit of the figure
   double deviation = unset;        ///< standard deviation of one measurement
   std::int64_t repeats = 1;        ///< measurements of which `laboratory` is the mean
@@ -20,7 +25,21 @@ struct ObservableDeck {
   ObservableScale scale = ObservableScale::linear;
   double discrepancy = 0.0;        ///< standard deviation of what the model cannot be expected to meet, in that unit
   double discrepancy_share = 0.0;  ///< or over the laboratory's value
+  std::string key;                 ///< of summary.json
+  std::size_t experiment = 0;
+  // Of a curve:
+  std::string name;                   ///< as read
+  std::string curve;                  ///< path of its file, relative to that of the deck; empty: this is no curve
+  std::string series;                 ///< table that a run writes, with the columns
+  std::string x, y;                   ///< of the runs' curve
+  std::string phase;                  ///< from whose begin x counts, and whose rows they are; empty: all rows
+  double correlation_length = unset;  ///< of the laboratory's deviations, in the unit of x
+  std::int64_t components = 4;        ///< at most
+  LaboratoryCurve laboratory_curve;   ///< what the file has, once it is read
 
+  bool is_curve() const { return !curve.empty(); }
+  /// Of what the runs measure, in the words of their files.
+  const std::string& measured() const { return is_curve() ? y : key.empty() ? figure : key; }
   /// In the unit of the figure.
   double model_deviation() const;
 };
@@ -50,20 +69,40 @@ struct LevelDeck {
   std::int64_t start = 0;        ///< points of the first design; 0: as [adaptive]
 };
 
+/// What an experiment changes at a level of the model.
+struct ExperimentLevelDeck {
+  std::string name;              ///< of the level
+  std::string base;              ///< path of the deck; empty: that of the experiment
+  std::vector<std::string> set;  ///< after those of the level
+  std::int64_t seeds = 0;        ///< at each point; 0: as the level
+};
+
+/// One test of several that share the parameters.
+struct ExperimentDeck {
+  std::string name;
+  std::string base;              ///< path of its deck; empty: that of the study
+  std::vector<std::string> set;  ///< after those of the study
+  std::int64_t seeds = 0;        ///< at each point; 0: as the study
+  std::vector<ObservableDeck> observables;
+  std::vector<ExperimentLevelDeck> levels;
+};
+
 /// Runs over a grid of parameters, and what their figures should come to.
 struct CalibrationDeck {
   StudyDeck study;
   double confidence = 0.95;
-  std::vector<PointDeck> points;  ///< instead of a grid
-  std::vector<ObservableDeck> observables;
-  std::vector<LevelDeck> levels;  ///< the cheapest first; empty: one, which is the study
+  std::vector<PointDeck> points;            ///< instead of a grid
+  std::vector<ObservableDeck> observables;  ///< those of all experiments, one after the other
+  std::vector<LevelDeck> levels;            ///< the cheapest first; empty: one, which is the study
   AdaptiveDeck adaptive;
+  std::vector<ExperimentDeck> experiments;  ///< empty: one, which is the study
 
   std::size_t level_count() const { return levels.empty() ? 1 : levels.size(); }
+  std::size_t experiment_count() const { return experiments.empty() ? 1 : experiments.size(); }
 };
 
-/// The study of one level: its base, settings and seeds in place of the whole's.
-StudyDeck study_of_level(const CalibrationDeck& deck, std::size_t level);
+/// The study of one experiment at one level: its base, settings and seeds in place of the whole's.
+StudyDeck study_of_level(const CalibrationDeck& deck, std::size_t level, std::size_t experiment = 0);
 
 /// Points of the first design of a level.
 std::int64_t start_of_level(const CalibrationDeck& deck, std::size_t level);

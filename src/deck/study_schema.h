@@ -19,9 +19,9 @@ void describe(V& v, ParameterDeck& p) {
 }
 
 template <class V>
-void describe_study(V& v, StudyDeck& s) {
+void describe_study(V& v, StudyDeck& s, const Presence& base = required) {
   v("title", s.title, Unit::none, any_value, optional, "free text");
-  v("base", s.base, Unit::none, any_value, required, "deck to run, relative to this file");
+  v("base", s.base, Unit::none, any_value, base, "deck to run, relative to this file");
   v("set", s.set, Unit::none, any_value, optional, "keys of the base deck to replace in all runs, as with --set");
   v("seeds", s.seeds, Unit::none, at_least(1), optional, "runs at each point, with successive seeds");
   v("first_seed", s.first_seed, Unit::none, at_least(0), optional, "run.seed of the first of them");

@@ -30,6 +30,7 @@ struct FileContents {
   std::vector<double> radii;         ///< m, the smallest and the largest; none without particles
   std::string state_hash;            ///< of the whole state
   std::vector<Count> states;         ///< grid: runs in each state
+  std::vector<Count> experiments;    ///< grid: runs of each experiment; empty when there is one alone
   std::vector<Count> levels;         ///< grid: runs of each level of the model; empty without levels
   std::vector<std::string> columns;  ///< grid: parameters, in order
   std::vector<std::string> figures;  ///< grid

@@ -32,6 +32,37 @@ SLIDING = '[[parameter]]\nname = "sliding"\nkey = "pair.0.sliding_friction"\n'
 RESTITUTION = '[[parameter]]\nname = "restitution"\nkey = "pair.0.restitution"\n'
 MASS = '[[observable]]\nfigure = "discharged_mass_kg"\nlaboratory = 8e-6\ndeviation = 1e-6\nrepeats = 4\n'
 RATE = '[[observable]]\nfigure = "retained_mass_kg"\nlaboratory = 22e-6\ndeviation = 1e-6\nrepeats = 4\n'
+LINE = SLIDING + "values = [0.1, 0.25, 0.4, 0.55, 0.7]\n"
+CURVE = """[[observable]]
+name = "spin"
+curve = "spin.csv"
+series = "series.csv"
+x = "time_s"
+y = "rotational_energy_J"
+phase = "discharge"
+"""
+CLOSE_ROWS = [*REDUCED, "output.series_interval=1 ms"]
+# The small discharge, and the same from a higher fill.
+EXPERIMENTS = """
+[[experiment]]
+name = "low"
+[[experiment.observable]]
+figure = "discharged_mass_kg"
+laboratory = 7e-6
+deviation = 1e-6
+[[experiment]]
+name = "high"
+set = ["particles.0.mass=0.04 g"]
+seeds = 3
+[[experiment.observable]]
+figure = "discharged_mass_kg"
+laboratory = 8e-6
+deviation = 1e-6
+[[experiment.observable]]
+figure = "retained_mass_kg"
+laboratory = 30e-6
+deviation = 1e-6
+"""
 GRID = SLIDING + "values = [0.1, 0.4]\n" + RESTITUTION + "min = 0.2\nmax = 0.8\npoints = 3\n" + MASS + RATE
 
 
@@ -281,6 +312,144 @@ class Calibrate(FolderTest):
         wrong("discrepancy_share = 0.1", "discrepancy_share = -0.1", "discrepancy_share")
         wrong("start = 6", "start = 3", "start")
         wrong("particles.0.mass=0.02 g", "particles.0.masss=0.02 g", "masss")
+
+    def curve_of_runs(self, output, sliding, name="spin.csv", header="x,y,deviation"):
+        """A laboratory's curve that is the mean of the runs at a friction, at times between their rows."""
+        times = [0.0043 + 0.004 * k for k in range(13)]
+        means = [0.0] * len(times)
+        for seed in (1, 2):
+            folder = os.path.join(output, "runs", f"sliding={sliding},seed={seed}")
+            with open(os.path.join(folder, "summary.json")) as file:
+                summary = json.load(file)
+            begin = summary["phases"][0]["steps"] * summary["timestep_s"]
+            with open(os.path.join(folder, "series.csv")) as file:
+                rows = [(float(row["time_s"]) - begin, float(row["rotational_energy_J"])) for row in csv.DictReader(file)]
+            for k, t in enumerate(times):
+                after = next(i for i, row in enumerate(rows) if row[0] > t)
+                (t0, y0), (t1, y1) = rows[after - 1], rows[after]
+                means[k] += 0.5 * (y0 + (y1 - y0) * (t - t0) / (t1 - t0))
+        with open(self.path(name), "w") as file:
+            file.write(header + "\n" + "".join(f"{t:.17g},{y:.17g},1e-9\n" for t, y in zip(times, means)))
+
+    def test_a_curve_against_itself(self):
+        outputs = [self.path(name) for name in ("one", "three")]
+        self.calibrate(self.write(LINE + MASS, sets=CLOSE_ROWS), output=outputs[0])
+        self.curve_of_runs(outputs[0], 0.4)
+        path = self.write(LINE + CURVE, sets=CLOSE_ROWS)
+        says = self.calibrate(path, output=outputs[0])
+        self.assertIn("0 runs in", says)
+        self.assertRegex(says, "curve spin +13 points on [1-4] components?, which leave out")
+        found = json.loads(self.read("estimate.json", outputs[0]))
+        inside = [i for part in found["parts"] for i in part["intervals"] if i["lower"] <= 0.4 <= i["upper"]]
+        self.assertTrue(inside, says)
+        self.assertLess(found["curves"][0]["laboratory_rest"], 2.0)
+        self.assertEqual([o["figure"] for o in found["observables"]],
+                         [f"spin.{k + 1}" for k in range(len(found["curves"][0]["components"]))])
+        # The mean of the scores of the runs is that of the laboratory.
+        scores = [float(row["spin.1"]) for row in self.table(outputs[0]) if row["sliding"] == "0.4"]
+        self.assertAlmostEqual(sum(scores) / 2, found["observables"][0]["laboratory"], delta=1e-6)
+        self.assertIn("10 runs in", self.calibrate(path, ranks=3, output=outputs[1]))
+        for name in ("grid.csv", "estimate.json"):
+            self.assertEqual(self.read(name, outputs[1]), self.read(name, outputs[0]))
+        done = self.program.call("info", os.path.join(outputs[0], "grid.h5"))
+        self.assertIn("spin.1", done.stdout)
+        os.remove(self.path("spin.csv"))  # the directory has its own
+        done = self.program.call("estimate", outputs[0])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.read("estimate.json", outputs[0]), self.read("estimate.json", outputs[1]))
+        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
+                               capture_output=True, text=True)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.report(outputs[0])
+
+    def report(self, output):
+        done = self.program.call("report", output, env={"REPOSE_PYTHON": sys.executable})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreater(os.path.getsize(os.path.join(output, "report.html")), 10000)
+
+    def test_wrong_curves_are_refused(self):
+        path = self.write(LINE + CURVE, sets=CLOSE_ROWS)
+
+        def wrong(text, message, deck=path):
+            with open(self.path("spin.csv"), "w") as file:
+                file.write(text)
+            self.refused(deck, message)
+        done = self.call("calibrate", path)
+        self.assertEqual(done.returncode, 4, done.stdout)
+        self.assertIn("spin.csv: cannot open", done.stderr)
+        wrong("t,y,deviation\n1,2,3\n2,2,3\n", 'spin.csv:1: the header line reads "t,y,deviation"; it must read x,y,deviation')
+        wrong("x,y,deviation\n2,2,3\n1,2,3\n", "spin.csv:3: x = 1 is not above the 2 before; x must rise")
+        good = "x,y,deviation\n0.01,2e-9,1e-9\n0.02,2e-9,1e-9\n"
+        wrong(good, "laboratory", self.write(LINE + CURVE + "laboratory = 3\n"))
+        wrong(good, "names a folder", self.write(LINE + CURVE.replace('"spin"', '"a/b"')))
+
+    def test_curves_that_the_runs_do_not_have(self):
+        """Said when the first of them is complete: what is run is kept."""
+        def wrong(text, message, deck=CURVE):
+            with open(self.path("spin.csv"), "w") as file:
+                file.write("x,y,deviation\n" + text)
+            done = self.call("calibrate", self.write(LINE + deck, sets=CLOSE_ROWS))
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(message, done.stderr)
+            self.assertEqual(len(done.stderr.strip().splitlines()[-1:]), 1)
+        good = "0.01,2e-9,1e-9\n0.02,2e-9,1e-9\n"
+        wrong("0.01,2e-9,1e-9\n0.2,2e-9,1e-9\n", "has x from 0.01 to 0.2, but time_s of ")
+        wrong(good, 'did you mean "rotational_energy_J"?', CURVE.replace("rotational_energy_J", "rotation_energy_J"))
+        wrong(good, "series.csv:", CURVE.replace('x = "time_s"', 'x = "discharged_mass_kg"'))
+        wrong(good, 'has no phase "drain", but settle, discharge', CURVE.replace('"discharge"', '"drain"'))
+        wrong(good, "runs write no serie.csv", CURVE.replace('"series.csv"', '"serie.csv"'))
+        with open(self.path("spin.csv"), "w") as file:
+            file.write("x,y,deviation\n" + good)
+        self.assertIn("0 runs in", self.calibrate(self.write(LINE + CURVE, sets=CLOSE_ROWS)))
+
+    def test_several_tests_in_one_calibration(self):
+        outputs = [self.path(name) for name in ("one", "three", "low", "high")]
+        points = SLIDING + "values = [0.1, 0.3, 0.5, 0.7]\n"
+        path = self.write(points + EXPERIMENTS)
+        says = self.calibrate(path, ranks=1, output=outputs[0])
+        self.assertIn("20 runs: 20 done", says)
+        self.assertIn("laboratory high.retained_mass_kg", says)
+        self.calibrate(path, ranks=3, output=outputs[1])
+        for name in ("grid.csv", "estimate.json"):
+            self.assertEqual(self.read(name, outputs[1]), self.read(name, outputs[0]))
+        rows = self.table(outputs[0])
+        self.assertEqual([r["experiment"] for r in rows], ["low"] * 8 + ["high"] * 12)
+        for row in rows:
+            self.assertEqual(row["low.discharged_mass_kg"] == "", row["experiment"] == "high")
+            self.assertEqual(row["high.retained_mass_kg"] == "", row["experiment"] == "low")
+        # Each test is what it is alone.
+        self.calibrate(self.write(points + MASS), output=outputs[2])
+        alone = {(r["sliding"], r["seed"]): r["discharged_mass_kg"] for r in self.table(outputs[2])}
+        self.assertEqual({(r["sliding"], r["seed"]): r["low.discharged_mass_kg"] for r in rows if r["experiment"] == "low"},
+                         alone)
+        self.calibrate(self.write(points + MASS + RATE, sets=[*REDUCED, "particles.0.mass=0.04 g"], seeds=3), output=outputs[3])
+        self.assertEqual([r["high.retained_mass_kg"] for r in rows if r["experiment"] == "high"],
+                         [r["retained_mass_kg"] for r in self.table(outputs[3])])
+        self.assertIn("0 runs in", self.calibrate(self.write(points + EXPERIMENTS), output=outputs[0]))
+        done = self.program.call("estimate", outputs[0])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.read("estimate.json", outputs[0]), self.read("estimate.json", outputs[1]))
+        done = self.program.call("info", os.path.join(outputs[0], "grid.h5"))
+        self.assertIn("low 8, high 12", done.stdout)
+        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
+                               capture_output=True, text=True)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.report(outputs[0])
+
+    def test_a_search_by_several_tests_over_levels(self):
+        text = (SLIDING + "min = 0.1\nmax = 0.7\n" + '[[level]]\nname = "soft"\n'
+                'set = ["material.0.youngs_modulus=1 MPa", "material.1.youngs_modulus=1 MPa"]\n[[level]]\nname = "hard"\n' +
+                EXPERIMENTS + '[[experiment.level]]\nname = "soft"\nset = ["particles.0.mass=0.03 g"]\n'
+                "[adaptive]\nstart = 4\nbatch = 2\nbudget = 10\nhalf_width = 0.01\n")
+        outputs = [self.path(name) for name in ("one", "three")]
+        for ranks, output in zip((1, 3), outputs):
+            self.calibrate(self.write(text), ranks=ranks, output=output)
+        for name in ("grid.csv", "estimate.json", "search.csv"):
+            self.assertEqual(self.read(name, outputs[0]), self.read(name, outputs[1]))
+        rows = self.table(outputs[0])
+        self.assertEqual({(r["experiment"], r["level"]) for r in rows},
+                         {(e, l) for e in ("low", "high") for l in ("soft", "hard")})
+        self.assertEqual(self.read("search.csv", outputs[0]).splitlines()[-1].split(",")[:2], ["10", "50"])
 
     def test_sensitivity(self):
         text = ('figures = ["discharged_mass_kg", "discharge_time_s"]\n[morris]\ntrajectories = 2\n' + SLIDING +

@@ -1,9 +1,12 @@
 """kill -9 of a whole calibration at random moments, and the same command again each time on 1 to 4 ranks: the grid's table
 ends as that of a job that nobody disturbed, times and attempts aside, and nothing complete is run again.
 
-Usage: calibrate_kill_test.py EXECUTABLE MPIEXEC SOURCE_DIR KILLS [SEED]
+With TESTS two tests share the parameters, and one of them is compared by a curve.
+
+Usage: calibrate_kill_test.py EXECUTABLE MPIEXEC SOURCE_DIR KILLS [TESTS] [SEED]
 """
 
+import glob
 import os
 import random
 import signal
@@ -17,7 +20,7 @@ from faulty_runs import Job, Program
 
 DECK = """
 base = "{base}"
-seeds = 3
+seeds = {seeds}
 set = ["particles.0.mass=0.1 g", "output.snapshot_interval=10 ms", "phase.settle.max_time=20 ms", "phase.settle.min_time=0",
        "phase.discharge.max_time=80 ms", "phase.discharge.min_time=0", "output.checkpoint_steps=2000",
        "measurement.discharge.plugged_share=0.02"]
@@ -29,6 +32,8 @@ values = [0.1, 0.5]
 name = "restitution"
 key = "pair.0.restitution"
 values = [0.2, 0.5, 0.8]
+"""
+ONE_TEST = """
 [[observable]]
 figure = "discharged_mass_kg"
 laboratory = 30e-6
@@ -38,6 +43,25 @@ figure = "retained_mass_kg"
 laboratory = 70e-6
 deviation = 3e-6
 """
+TWO_TESTS = """
+[[experiment]]
+name = "low"
+[[experiment.observable]]
+name = "spin"
+curve = "spin.csv"
+series = "series.csv"
+x = "time_s"
+y = "rotational_energy_J"
+phase = "discharge"
+[[experiment]]
+name = "high"
+set = ["particles.0.mass=0.12 g"]
+[[experiment.observable]]
+figure = "discharged_mass_kg"
+laboratory = 36e-6
+deviation = 3e-6
+"""
+SPIN = "x,y,deviation\n0.01,1e-8,1e-8\n0.03,1e-8,1e-8\n0.06,1e-8,1e-8\n"
 
 
 def content(output):
@@ -55,8 +79,7 @@ def arguments(program, deck, output, ranks):
 def finished(output):
     """Modification times of the summaries."""
     runs = os.path.join(output, "runs")
-    paths = [os.path.join(runs, name, "summary.json") for name in (os.listdir(runs) if os.path.isdir(runs) else ())]
-    return {path: os.stat(path).st_mtime_ns for path in paths if os.path.exists(path)}
+    return {path: os.stat(path).st_mtime_ns for path in glob.glob(os.path.join(runs, "**", "summary.json"), recursive=True)}
 
 
 def kill_once(program, deck, output, draw, patience):
@@ -74,13 +97,17 @@ def kill_once(program, deck, output, draw, patience):
 def main():
     program = Program(*sys.argv[1:4])
     kills = int(sys.argv[4])
-    seed = int(sys.argv[5]) if len(sys.argv) > 5 else random.randrange(10**6)
+    tests = sys.argv[5:6] == ["TESTS"]
+    seed = int(sys.argv[-1]) if sys.argv[-1].isdigit() and len(sys.argv) > 5 else random.randrange(10**6)
     print("seed", seed)
     draw = random.Random(seed)
     with tempfile.TemporaryDirectory() as folder:
         deck = os.path.join(folder, "calibration.toml")
         with open(deck, "w") as file:
-            file.write(DECK.format(base=program.deck("discharge_quick.toml")))
+            file.write(DECK.format(base=program.deck("discharge_quick.toml"), seeds=2 if tests else 3) +
+                       (TWO_TESTS if tests else ONE_TEST))
+        with open(os.path.join(folder, "spin.csv"), "w") as file:
+            file.write(SPIN)
         calm, wild = os.path.join(folder, "calm"), os.path.join(folder, "wild")
         begin = time.monotonic()
         with Job(arguments(program, deck, calm, 2)) as job:
@@ -98,6 +125,9 @@ def main():
             code, out, err = job.end(1200)
         assert code == 0, err
         assert content(wild) == content(calm)
+        for name in ("grid.csv", "estimate.json"):
+            with open(os.path.join(wild, name)) as one, open(os.path.join(calm, name)) as other:
+                assert one.read() == other.read(), name
         assert all(finished(wild)[path] == when for path, when in complete.items()), "a complete run was run again"
         assert killed >= kills // 2, f"complete after {killed} kills"
 

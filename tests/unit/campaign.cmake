@@ -1,1 +1,3 @@
-repose_test(unit_campaign LABEL unit SOURCES campaign_report_test.cpp campaign_runs_test.cpp campaign_table_test.cpp LINK repose_campaign)
+repose_test(unit_campaign LABEL unit SOURCES campaign_curve_test.cpp campaign_experiments_test.cpp campaign_report_test.cpp campaign_runs_test.cpp
+          campaign_table_test.cpp
+  LINK repose_campaign)

@@ -98,12 +98,18 @@ TEST(Observables, APluggedRunCountsForTheMassAlone) {
 
 TEST(Observables, TheStandardErrorIsThatOfTheMean) {
   CalibrationDeck deck;
-  deck.observables = {{figures[0], 0.02, 0.004, 16, false, ObservableScale::square_root}};
+  ObservableDeck& o = deck.observables.emplace_back();
+  o.figure = figures[0];
+  o.laboratory = 0.02;
+  o.deviation = 0.004;
+  o.repeats = 16;
+  o.deviation_is_known = false;
+  o.scale = ObservableScale::square_root;
   const std::vector<ObservableData> data = observable_data(deck, {});
   EXPECT_DOUBLE_EQ(data[0].laboratory.standard_error(), 0.001);
   EXPECT_EQ(data[0].laboratory.freedom, 15.0);
   EXPECT_EQ(data[0].transform, Transform::square_root);
-  deck.observables[0].deviation_is_known = true;
+  o.deviation_is_known = true;
   EXPECT_TRUE(std::isinf(observable_data(deck, {})[0].laboratory.freedom));
 }
 

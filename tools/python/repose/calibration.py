@@ -61,8 +61,26 @@ class Calibration(Study):
 
     @property
     def figures(self):
-        """Names of the figures that are compared with the laboratory."""
-        return [observable["figure"] for observable in self.deck["observable"]]
+        """Names of the figures that are compared with the laboratory; a curve's are known when its runs are complete:
+        NAME.1 and so on, its components."""
+        if self.is_complete:
+            return [observable["figure"] for observable in self.estimate["observables"]]
+        return [o["figure"] for o in self.laboratory if not o["is_curve"]]
+
+    @property
+    def laboratory(self):
+        """The observables of the deck, those of all experiments: as they were written, with `figure`, the name in
+        tables, and `is_curve`."""
+        found = [("", o) for o in self.deck.get("observable", [])]
+        found += [(e["name"] + ".", o) for e in self.deck.get("experiment", []) for o in e["observable"]]
+        return [{**o, "figure": before + o.get("figure", o.get("name", "")), "is_curve": "curve" in o}
+                for before, o in found]
+
+    def asked_rows(self, figure):
+        """Which rows of `grid` are of the experiment that has a figure."""
+        if not self.experiments:
+            return np.ones(self.grid.rows, dtype=bool)
+        return self.grid["experiment"] == figure.split(".")[0]
 
     @property
     def values(self):

@@ -8,7 +8,7 @@ from repose.files import ReposeError, read_json, read_rows, read_table, read_tex
 from repose.run_directory import Run
 
 STATES = ("done", "plugged", "failed", "running", "waiting")
-TEXTS = ("level", "state", "reason")
+TEXTS = ("experiment", "level", "state", "reason")
 
 
 class Study:
@@ -56,7 +56,7 @@ class Study:
 
     @functools.cached_property
     def grid(self):
-        """grid.csv: a row for each run with `level` (if there are several), the parameters, `seed`, `state` (done,
+        """grid.csv: a row for each run with `experiment` and `level` (if there are several), the parameters, `seed`, `state` (done,
         plugged, failed, running, waiting), the figures in the units of their names (NaN: none) and the `reason` of a
         failure."""
         return read_table(self.directory / "grid.csv", TEXTS)
@@ -69,8 +69,8 @@ class Study:
         folders = []
         for row in rows:
             name = ",".join(f"{key}={row[place[key]]}" for key in [*self.parameters, "seed"])
-            level = row[place["level"]] if "level" in place else ""
-            folders.append(self.directory / "runs" / level / name)
+            below = [row[place[key]] for key in ("experiment", "level") if key in place]
+            folders.append(self.directory.joinpath("runs", *below, name))
         return folders
 
     def run(self, row):
@@ -92,3 +92,8 @@ class Study:
     def levels(self):
         """Names of the levels of the model, the cheapest first; empty when there is one alone."""
         return list(dict.fromkeys(self.grid["level"].tolist())) if "level" in self.grid else []
+
+    @property
+    def experiments(self):
+        """Names of the tests that share the parameters; empty when there is one alone."""
+        return list(dict.fromkeys(self.grid["experiment"].tolist())) if "experiment" in self.grid else []

@@ -1,5 +1,7 @@
 """A calibration over two parameters: contours of each figure with the runs, the laboratory and the region."""
 
+import numpy as np
+
 from repose.plots.style import new_figure
 from repose.units import quantity, words
 
@@ -28,7 +30,7 @@ def draw_runs(axes, study, figure):
     """Dots where the figure was found, with a mark of its own for each level; crosses where runs were plugged, had
     none, or failed. The last level's are full."""
     grid = study.grid
-    state, has_value = grid["state"], grid[figure] == grid[figure]
+    state, has_value = np.where(study.asked_rows(figure), grid["state"], ""), grid[figure] == grid[figure]
     found = (state == "done") & has_value
     for n, level in enumerate(study.levels):
         mark_points(axes, points_where(study, found & (grid["level"] == level)), LEVEL_MARKS[n % len(LEVEL_MARKS)],

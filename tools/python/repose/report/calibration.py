@@ -82,8 +82,9 @@ def as_written(figure, value):
 def laboratory(found):
     """What the laboratory has found, and what the runs say of it."""
     if not found.is_complete:
+        laboratory_rows = [{**o, **({"laboratory": o["curve"]} if o["is_curve"] else {})} for o in found.laboratory]
         rows = [[numbers.name(o["figure"]), as_written(o["figure"], o["laboratory"]),
-                 as_written(o["figure"], o.get("deviation", ""))] for o in found.deck["observable"]]
+                 as_written(o["figure"], o.get("deviation", ""))] for o in laboratory_rows]
         return html.table(["figure", "laboratory", "deviation"], rows)
     rows = []
     for o in found.estimate["observables"]:

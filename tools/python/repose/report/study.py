@@ -2,6 +2,7 @@
 
 import datetime
 
+from repose.files import ReposeError
 from repose.report import html, numbers, parts
 from repose.units import words
 
@@ -11,9 +12,17 @@ UNDECIDED = (" There is no result: a search may still be deciding on its next po
 MARK = {"failed": "bad", "plugged": "bad", "waiting": "none", "running": "none"}
 
 
+def bases_of(deck):
+    """The experiments of a deck, as what stands before a name, and their base decks; one without a name when there are
+    none."""
+    return [(e["name"] + ": ", e.get("base", deck.get("base"))) for e in deck.get("experiment", [])] or [
+        ("", deck["base"])]
+
+
 def asked(deck):
     """Name and value of what the decks of all studies say."""
-    rows = [("base deck", f"<code>{html.escape(deck['base'])}</code>"),
+    bases = ", ".join(f"{html.escape(name)}<code>{html.escape(base)}</code>" for name, base in bases_of(deck))
+    rows = [("base deck", bases),
             ("seeds at each point", html.escape(deck.get("seeds", 1)))]
     if deck.get("set"):
         rows.append(("changed for all runs", ", ".join(f"<code>{html.escape(item)}</code>" for item in deck["set"])))
@@ -28,6 +37,7 @@ class Runs:
         self.study, self.figures, self.grid = study, figures, study.grid
         self.runs = [run if run is not None and run.is_complete else None for run in study.runs]
         self.folders = study.folders
+        self.groups = [key for key in ("experiment", "level") if key in self.grid]
         rows = range(self.grid.rows)
         failed = [row for row in rows if self.grid["state"][row] == "failed"]
         weight = {row: place for place, row in enumerate([*order, *failed])}
@@ -41,18 +51,35 @@ class Runs:
     def name(self, row):
         """What a run is, in words."""
         parts_ = [f"{words(name)} {self.grid[name][row]:g}" for name in self.study.parameters]
-        level = f"{self.grid['level'][row]}, " if "level" in self.grid else ""
-        return f"{level}{', '.join(parts_)}, seed {self.grid['seed'][row]:g}"
+        before = "".join(f"{self.grid[key][row]}, " for key in self.groups)
+        return f"{before}{', '.join(parts_)}, seed {self.grid['seed'][row]:g}"
 
     def value(self, row, figure):
         """Value and standard error within the run; None where there is none."""
         run = self.runs[row]
-        return (run.figure(figure), run.error(figure)) if run else (None, None)
+        if run is None or not self.is_asked(row, figure):
+            return None, None
+        key = figure.removeprefix(self.experiment(row))
+        try:
+            return run.figure(key), run.error(key)
+        except ReposeError:  # the score of a curve
+            value = self.grid[figure][row] if figure in self.grid else float("nan")
+            return (float(value), None) if value == value else (None, None)
+
+    def experiment(self, row):
+        """What stands before the names of a row's figures."""
+        return f"{self.grid['experiment'][row]}." if "experiment" in self.grid else ""
+
+    def is_asked(self, row, figure):
+        """Whether a row is of the experiment that has a figure."""
+        return figure.startswith(self.experiment(row))
 
     def text(self, row):
         """For the pointer: the run and its figures."""
         lines = [self.name(row), self.grid["state"][row]]
         for figure in self.figures:
+            if not self.is_asked(row, figure):
+                continue
             value, error = self.value(row, figure)
             name, unit, factor = numbers.display(figure)
             if value is not None:
@@ -65,8 +92,7 @@ class Runs:
         state = self.grid["state"][row]
         cells = [numbers.data(str(row + 1), row + 1) if row not in self.boxed
                  else f'<a href="#run-{row}">{row + 1}</a>']
-        if "level" in self.grid:
-            cells.append(html.escape(self.grid["level"][row]))
+        cells += [html.escape(self.grid[key][row]) for key in self.groups]
         cells += [numbers.data(f"{self.grid[name][row]:g}", float(self.grid[name][row]))
                   for name in self.study.parameters]
         cells += [numbers.data(f"{self.grid['seed'][row]:g}", float(self.grid["seed"][row])),
@@ -78,10 +104,10 @@ class Runs:
 
     def table(self):
         """All of them, to be sorted."""
-        head = ["run", *(["level"] if "level" in self.grid else []), *map(words, self.study.parameters), "seed",
+        head = ["run", *self.groups, *map(words, self.study.parameters), "seed",
                 "state",
                 *(numbers.quantity(figure) for figure in self.figures), "wall time, s"]
-        first = 2 if "level" in self.grid else 1
+        first = 1 + len(self.groups)
         numeric = [k for k in range(first, len(head)) if head[k] != "state"]
         return html.table([html.escape(h) for h in head], [self.cells(row) for row in range(self.grid.rows)],
                           "sortable", numeric)
@@ -146,7 +172,7 @@ def warnings(runs):
                      "for no other figure.")
     for figure in runs.figures:
         without = [row for row in range(grid.rows) if grid["state"][row] == "done"
-                   and runs.value(row, figure)[0] is None]
+                   and runs.is_asked(row, figure) and runs.value(row, figure)[0] is None]
         if without:
             found.append(f"No {numbers.name(figure)} in {len(without)} of the runs that are done: "
                          f"{links(runs, without)}.")
@@ -163,7 +189,8 @@ def repeat(study, runs, command, nearest):
             ("ranks of a run", f"at most {ranks}")]
     name = study.directory.resolve().name
     commands = [parts.command_line("mpirun", "-n", max(2, ranks), "repose", command, study.deck_file, "--output", name)]
-    decks = [(study.deck_file + f" (its base is {study.deck['base']}, relative to where it was)", study.deck_text)]
+    bases = " and ".join(base for _, base in bases_of(study.deck))
+    decks = [(study.deck_file + f" (its base is {bases}, relative to where it was)", study.deck_text)]
     if nearest:
         run, folder = nearest
         rows.append(("hash of that run's state", f"<code>{run.summary['state_hash']}</code>"))

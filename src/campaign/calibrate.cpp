@@ -5,10 +5,12 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "calibration/posterior_estimate.h"
 #include "campaign/calibration_work.h"
 #include "campaign/estimate_report.h"
 #include "campaign/level_runs.h"
 #include "campaign/live_report.h"
+#include "campaign/observables.h"
 #include "campaign/search.h"
 #include "comm/agreement.h"
 #include "deck/calibration_deck.h"
@@ -21,6 +23,7 @@ namespace {
 
 constexpr const char* deck_file = "/calibration.toml";
 constexpr const char* estimate_file = "/estimate.json";
+constexpr const char* samples_file = "/posterior.csv";
 
 std::vector<std::string> figures_of(const CalibrationDeck& deck) {
   std::vector<std::string> figures;
@@ -28,19 +31,37 @@ std::vector<std::string> figures_of(const CalibrationDeck& deck) {
   return figures;
 }
 
+/// A prior of which the range leaves next to nothing is a mistake.
+void check_priors_in_ranges(const CalibrationDeck& deck, const std::string& path) {
+  constexpr double least = 0.01;
+  for (const ParameterRange& range : ranges_of(deck.study)) {
+    const double share = prior_in_range(range);
+    if (share >= least) continue;
+    throw DeckError(
+        fmt::format("{}: parameter \"{}\": {:.2g} of its prior lies from min = {} to max = {}; at least {} "
+                    "must",
+                    path, range.name, share, range.lower, range.upper, least));
+  }
+}
+
 /// Before any run: whether there can be an estimate afterwards.
 void check_counts(const CalibrationDeck& deck, const std::string& path) {
   const std::size_t parameters = deck.study.parameters.size();
-  if (parameters > 3)
-    throw DeckError(fmt::format("{}: {} parameters; at most 3 can be estimated together", path, parameters));
-  if (deck.observables.size() >= parameters) return;
-  throw DeckError(fmt::format("{}: {} parameters take as many [[observable]]s or more, there are {}", path, parameters,
-                              deck.observables.size()));
+  if (parameters > most_parameters) {
+    throw DeckError(
+        fmt::format("{}: {} parameters; at most {} can be estimated together", path, parameters, most_parameters));
+  }
+  if (takes_posterior(ranges_of(deck.study)) || deck.observables.size() >= parameters) return;
+  throw DeckError(
+      fmt::format("{}: {} parameters take as many [[observable]]s or more, there are {}; fewer do with a "
+                  "\"prior\" of a parameter",
+                  path, parameters, deck.observables.size()));
 }
 
 std::string write_estimate(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                            std::span<const RunRecord> records, const std::string& directory) {
   const Report report = report_of(deck, runs, records);
+  if (!report.samples.empty()) write_text_file(directory + samples_file, report.samples);
   write_text_file(directory + estimate_file, report.json);
   return report.text;
 }
@@ -52,6 +73,7 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
   const std::string text = read_shared_file(world, request.deck);
   const CalibrationDeck deck = read_calibration_deck(text, request.deck);
   check_counts(deck, request.deck);
+  check_priors_in_ranges(deck, request.deck);
   std::optional<LiveReport> live;
   agree_after_root(world, [&] {
     create_output_directory(request.output);
@@ -72,6 +94,7 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
 std::string estimate_directory(const Communicator& world, const std::string& directory, const std::string& path) {
   const std::string deck_path = path.empty() ? directory + deck_file : path;
   const CalibrationDeck deck = read_calibration_deck(read_shared_file(world, deck_path), deck_path);
+  check_priors_in_ranges(deck, deck_path);
   std::string report;
   agree_after_root(world, [&] {
     const std::vector<std::string> figures = figures_of(deck);

@@ -173,6 +173,7 @@ void check_adaptive(const CalibrationDeck& deck, DeckErrors& errors) {
 
 void check(CalibrationDeck& deck, DeckErrors& errors) {
   check_study(deck.study, errors);
+  check_priors(deck.study, errors);
   check_levels(deck, errors);
   check_points(deck, errors);
   check_observables(deck, errors);

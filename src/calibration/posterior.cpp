@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/sample_density.h"
-
 namespace repose {
 namespace {
 
@@ -19,7 +17,7 @@ double log_prior_of(const std::vector<ParameterRange>& ranges, const Vector& poi
   return sum;
 }
 
-Samples samples_of(const Misfit& misfit) {
+Samples samples_of(const Misfit& misfit, const SamplePlan& plan) {
   const std::vector<ParameterRange>& ranges = misfit.ranges();
   BoxDensity density;
   density.draw = [&](const Vector& shares) {
@@ -31,7 +29,7 @@ Samples samples_of(const Misfit& misfit) {
   };
   density.log_prior = [&](const Vector& point) { return log_prior_of(ranges, point); };
   density.log_likelihood = [&](const Vector& point) { return misfit.log_likelihood(point); };
-  return sample_density(density, misfit.parameters(), {});
+  return sample_density(density, misfit.parameters(), plan);
 }
 
 /// The value of sorted ones with this share below it.
@@ -81,8 +79,8 @@ double log_posterior(const Misfit& misfit, const Vector& point) {
   return log_prior_of(misfit.ranges(), point) + misfit.log_likelihood(point);
 }
 
-Posterior posterior_of(const Misfit& misfit, double confidence) {
-  const Samples drawn = samples_of(misfit);
+Posterior posterior_of(const Misfit& misfit, double confidence, const SamplePlan& plan) {
+  const Samples drawn = samples_of(misfit, plan);
   const std::vector<ParameterRange>& ranges = misfit.ranges();
   Posterior p;
   p.samples = drawn.points;

@@ -4,6 +4,7 @@
 
 #include "calibration/confidence_interval.h"
 #include "calibration/misfit.h"
+#include "calibration/sample_density.h"
 
 namespace repose {
 
@@ -38,6 +39,6 @@ struct Posterior {
 double log_posterior(const Misfit& misfit, const Vector& point);
 
 /// Samples the posterior over the ranges (C.33), (C.34). `confidence` between 0 and 1.
-Posterior posterior_of(const Misfit& misfit, double confidence);
+Posterior posterior_of(const Misfit& misfit, double confidence, const SamplePlan& plan = {});
 
 }  // namespace repose

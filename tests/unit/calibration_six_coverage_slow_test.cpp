@@ -1,4 +1,6 @@
 // The 95 % region of six parameters covers hidden ones in 95 % of all campaigns; so do the intervals of each alone.
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "calibration_six_stand_in.h"
@@ -15,8 +17,9 @@ void expect_95_percent(const SixTally& t) {
   EXPECT_GE(t.in_interval, 1095);
   EXPECT_LE(t.in_interval, 1185);
   EXPECT_LT(t.share_of_prior, 0.6);  // regions of all parameters would cover, too
-  RecordProperty("covered", t.covered);
-  RecordProperty("in_interval", t.in_interval);
+  testing::Test::RecordProperty("covered", t.covered);
+  testing::Test::RecordProperty("in_interval", t.in_interval);
+  testing::Test::RecordProperty("share_of_prior", std::to_string(t.share_of_prior));
 }
 
 TEST(SixCoverage, WithUniformPriors) { expect_95_percent(six_tally(six_stand_in(), 60, 2, 200, 7000)); }

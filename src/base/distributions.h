@@ -10,6 +10,12 @@ double chi_squared_below(double x, double freedom);
 /// The x with this share (0 to 1, excluded) below it.
 double chi_squared_quantile(double share, double freedom);
 
+/// Share of the standard normal distribution below x.
+double normal_below(double x);
+
+/// The x with this share (0 to 1, excluded) below it.
+double normal_quantile(double share);
+
 /// P(T <= t) of Student's distribution.
 double student_cdf(double t, double freedom);
 

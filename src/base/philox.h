@@ -28,6 +28,7 @@ enum class RandomStream : std::uint32_t {
   pour_position = 3,
   start_design = 4,
   morris_design = 5,
+  posterior = 6,
   transient_noise = 16
 };
 

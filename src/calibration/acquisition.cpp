@@ -133,9 +133,10 @@ Index best_choice(const std::vector<Outlook>& outlooks, const Vector& weight, co
 std::vector<LevelPoint> next_level_points(const Misfit& misfit, const Estimate& estimate, const BatchPlan& batch) {
   const SearchNodes nodes = nodes_of_sum(misfit, estimate);
   const Choices choices = choices_of(misfit, estimate, batch);
-  // Relative to the least misfit: where nothing fits, near what fits best.
   Vector weight = nodes.volume;
-  for (Index i = 0; i < weight.size(); ++i) {
+  // Samples stand where the parameters may be. Else relative to the least misfit: where nothing fits, near what fits
+  // best.
+  for (Index i = 0; i < weight.size() && !estimate.posterior; ++i) {
     weight[i] *= std::exp(0.5 * (estimate.nearest.misfit - misfit(nodes.points.row(i).transpose())));
   }
   std::vector<Outlook> outlooks;

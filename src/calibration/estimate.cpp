@@ -9,6 +9,7 @@
 #include "base/distributions.h"
 #include "base/error.h"
 #include "calibration/confidence_part.h"
+#include "calibration/posterior_estimate.h"
 
 namespace repose {
 namespace {
@@ -96,6 +97,7 @@ double half_width(const Misfit& misfit, const ConfidencePart& part, const Vector
 }  // namespace
 
 Estimate estimate(const Misfit& misfit, double confidence) {
+  if (takes_posterior(misfit.ranges())) return posterior_estimate(misfit, confidence);
   check(misfit, confidence);
   const bool square = misfit.observables() == misfit.parameters();
   const Residuals residuals = [&](const Vector& point) { return misfit.residuals(point); };

@@ -5,20 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "calibration/confidence_interval.h"
 #include "calibration/misfit.h"
+#include "calibration/posterior.h"
 
 namespace repose {
 
-/// Where one parameter may lie, in its units, within its range.
-struct ConfidenceInterval {
-  double lower = 0.0;
-  double upper = 0.0;
-  bool open_below = false;  ///< it ends at the range's lower end only because nothing beyond was looked at
-  bool open_above = false;
-};
-
 /// A connected part of the confidence region. Its intervals hold for all parameters together: they are the extent of
-/// the region, so each alone covers its parameter at more than the confidence.
+/// the region, so each alone covers its parameter at more than the confidence. Of a posterior there is one part, and
+/// its intervals are those of each parameter alone.
 struct RegionPart {
   std::vector<ConfidenceInterval> intervals;  ///< one per parameter
 };
@@ -52,11 +47,13 @@ struct Estimate {
   /// What the edge of the box cuts off counts as in `standard_errors`; 0.5 where nothing is known. A search
   /// that stops by it chooses among estimates, and covers somewhat less than its confidence (docs/theory.md).
   std::optional<double> half_width;
-  std::string verdict;  ///< one sentence: how many crossings, and what that means
+  std::string verdict;                 ///< one sentence: how many crossings, and what that means
+  std::optional<Posterior> posterior;  ///< the region by samples: with priors, or more than three parameters
 };
 
-/// For 1 to 3 parameters and at least as many observables; `confidence` between 0 and 1. DeckError otherwise.
-/// (C.12) to (C.16).
+/// For 1 to 3 parameters and at least as many observables, (C.12) to (C.16); by the posterior, (C.30) to (C.34), for 4
+/// to 6 or with a prior that is not uniform, whatever the number of observables. `confidence` between 0 and 1.
+/// DeckError otherwise.
 Estimate estimate(const Misfit& misfit, double confidence);
 
 /// The same from the runs. `runs` has the parameters of each run.

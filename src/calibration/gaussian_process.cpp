@@ -36,6 +36,18 @@ SurfaceValue GaussianProcess::at(const Vector& point) const {
           .deviation = std::sqrt(f_.signal_variance * std::max(0.0, share))};
 }
 
+SurfaceValue GaussianProcess::at(const Vector& point, Vector& weights) const {
+  const Vector near = kernel_.between(data_.points, point.transpose());
+  const Vector terms = mean_terms(point.transpose(), linear_).transpose();
+  const Vector excess = terms - f_.weighted_terms.transpose() * near;
+  const Vector half = f_.covariance.matrixL().solve(near);
+  const double share = 1.0 - half.squaredNorm() + excess.dot(f_.coefficient_covariance * excess);
+  weights = f_.covariance.matrixU().solve(half);
+  weights += f_.weighted_terms * (f_.coefficient_covariance * excess);
+  return {.mean = terms.dot(f_.coefficients) + near.dot(f_.weights),
+          .deviation = std::sqrt(f_.signal_variance * std::max(0.0, share))};
+}
+
 Vector GaussianProcess::gradient(const Vector& point) const {
   const Vector slopes = kernel_.slopes(data_.points, point.transpose());
   Vector gradient = Vector::Zero(point.size());

@@ -22,6 +22,8 @@ class GaussianProcess {
   GaussianProcess(Replicates data, const Hyperparameters& hyperparameters);
 
   SurfaceValue at(const Vector& point) const;
+  /// The same, and `weights`, in less than the time of both.
+  SurfaceValue at(const Vector& point, Vector& weights) const;
   Vector gradient(const Vector& point) const;  ///< of the mean
   /// What the surface's mean at `point` takes of the mean at each of the data's points.
   Vector weights(const Vector& point) const;

@@ -23,6 +23,7 @@ class LevelSurface : public ObservableSurface {
   double mean(const Vector& point) const override;
   double deviation(const Vector& point) const override;
 
+  using ObservableSurface::at;
   SurfaceValue at(const Vector& point) const override { return process_.at(point); }
   Vector gradient(const Vector& point) const override;
   double freedom(const Vector& point) const override { return process_.freedom(point); }

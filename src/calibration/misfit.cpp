@@ -65,11 +65,13 @@ Misfit::Misfit(std::vector<ParameterRange> ranges, std::span<const std::vector<d
 }
 
 void Misfit::share_noise() {
+  shares_noise_.assign(surfaces_.size(), false);
   for (std::size_t a = 0; a < surfaces_.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       std::vector<SharedNoise>& of_levels = shared_.emplace_back();
       for (std::size_t level = 0; level < levels_.count; ++level) {
         of_levels.push_back(shared_noise(surfaces_[a]->data(level), surfaces_[b]->data(level)));
+        if (of_levels.back().correlation != 0.0) shares_noise_[a] = shares_noise_[b] = true;
       }
     }
   }
@@ -90,26 +92,22 @@ double Misfit::least_variance(Index k, const Vector& point) const {
 
 Misfit::Look Misfit::look(const Vector& point) const {
   Look result = {.differences = Vector(observables()), .covariance = Matrix::Zero(observables(), observables())};
+  std::vector<std::vector<NoiseWeights>> weights(surfaces_.size());
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
     const auto i = static_cast<Index>(k);
-    const SurfaceValue surface = surfaces_[k]->at(point);
+    const SurfaceValue surface = shares_noise_[k] ? surfaces_[k]->at(point, weights[k]) : surfaces_[k]->at(point);
     const Target t = target(k, point);
     result.differences[i] = surface.mean - t.level;
     result.covariance(i, i) = t.variance + t.discrepancy + surface.deviation * surface.deviation + rounding;  // (C.11)
   }
-  std::vector<std::vector<NoiseWeights>> weights(surfaces_.size());
-  const auto weights_of = [&](std::size_t k) -> const std::vector<NoiseWeights>& {
-    if (weights[k].empty()) weights[k] = surfaces_[k]->noise_weights(point);
-    return weights[k];
-  };
   auto shared = shared_.begin();
   for (std::size_t a = 0; a < surfaces_.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b, ++shared) {
       double covariance = 0.0;
       for (std::size_t level = 0; level < levels_.count; ++level) {
         if ((*shared)[level].correlation == 0.0) continue;
-        const NoiseWeights& wa = weights_of(a)[level];
-        const NoiseWeights& wb = weights_of(b)[level];
+        const NoiseWeights& wa = weights[a][level];
+        const NoiseWeights& wb = weights[b][level];
         covariance += (*shared)[level].covariance(wa.weights, wa.variance, wb.weights, wb.variance);
       }
       result.covariance(static_cast<Index>(a), static_cast<Index>(b)) = covariance;
@@ -127,10 +125,11 @@ Matrix Misfit::slopes(const Vector& point) const {
   return result;
 }
 
-Vector Misfit::residuals(const Vector& point) const {
+Misfit::Residual Misfit::residual(const Vector& point) const {
   const auto [differences, scatter] = look(point);
   const Vector deviation = scatter.diagonal().cwiseSqrt();
   Vector z = differences.cwiseQuotient(deviation);
+  double log_slope = 0.0;
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
     const auto i = static_cast<Index>(k);
     // Welch and Satterthwaite's degrees of freedom of a sum of two variances.
@@ -138,7 +137,9 @@ Vector Misfit::residuals(const Vector& point) const {
     const double surface = scatter(i, i) - t.variance - t.discrepancy;
     const double doubt =
         t.variance * t.variance / laboratory_[k].freedom + surface * surface / surfaces_[k]->freedom(point);
-    z[i] = normal_equivalent(z[i], scatter(i, i) * scatter(i, i) / doubt);
+    const double freedom = scatter(i, i) * scatter(i, i) / doubt;
+    log_slope += log_slope_of_normal_equivalent(z[i], freedom) - std::log(deviation[i]);
+    z[i] = normal_equivalent(z[i], freedom);
   }
   Matrix correlation = deviation.cwiseInverse().asDiagonal() * scatter * deviation.cwiseInverse().asDiagonal();
   Eigen::LLT<Matrix> factor(correlation);
@@ -148,7 +149,15 @@ Vector Misfit::residuals(const Vector& point) const {
     correlation.diagonal().setOnes();
     factor.compute(correlation);
   }
-  return factor.matrixL().solve(z);  // (C.13)
+  log_slope -= factor.matrixLLT().diagonal().array().log().sum();
+  return {factor.matrixL().solve(z), log_slope};  // (C.13)
+}
+
+Vector Misfit::residuals(const Vector& point) const { return residual(point).values; }
+
+double Misfit::log_likelihood(const Vector& point) const {
+  const auto [z, log_slope] = residual(point);
+  return log_slope - 0.5 * z.squaredNorm();
 }
 
 }  // namespace repose

@@ -46,6 +46,8 @@ class Misfit {
   double operator()(const Vector& point) const { return residuals(point).squaredNorm(); }
   /// Independent standard normal numbers at the true parameters (C.13); T is the sum of their squares.
   Vector residuals(const Vector& point) const;
+  /// ln of the density of the laboratory's values at these parameters, up to a constant (C.31).
+  double log_likelihood(const Vector& point) const;
 
   /// Surfaces less laboratory, one per observable, on the standardised scale.
   struct Look {
@@ -85,6 +87,11 @@ class Misfit {
     double discrepancy;  ///< variance of the model's
   };
   Target target(std::size_t k, const Vector& point) const;
+  struct Residual {
+    Vector values;
+    double log_slope;  ///< ln |d values / d laboratory|
+  };
+  Residual residual(const Vector& point) const;
   void share_noise();
 
   std::vector<ParameterRange> ranges_;
@@ -95,6 +102,7 @@ class Misfit {
   std::vector<double> discrepancy_;               ///< in units
   std::vector<std::size_t> experiment_;           ///< of each observable
   std::vector<std::vector<SharedNoise>> shared_;  ///< of each pair of surfaces, one per level
+  std::vector<bool> shares_noise_;                ///< of each surface: with another
 };
 
 }  // namespace repose

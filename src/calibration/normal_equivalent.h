@@ -7,4 +7,7 @@ namespace repose {
 /// more, exact for infinitely many.
 double normal_equivalent(double t, double freedom);
 
+/// ln dz/dt of it.
+double log_slope_of_normal_equivalent(double t, double freedom);
+
 }  // namespace repose

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibration/linear_algebra.h"
+#include "calibration/prior.h"
 
 namespace repose {
 
@@ -13,6 +14,7 @@ struct ParameterRange {
   std::string name;
   double lower = 0.0;
   double upper = 1.0;
+  Prior prior = {};
 };
 
 /// Parameters to units of the box, 0 at the lower end of each range and 1 at the upper, and back. DeckError when the

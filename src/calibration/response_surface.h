@@ -45,6 +45,10 @@ class ResponseSurface : public ObservableSurface {
   std::vector<NoiseWeights> noise_weights(const Vector& point) const override {
     return {{process_.weights(point), process_.noise_variance()}};
   }
+  SurfaceValue at(const Vector& point, std::vector<NoiseWeights>& weights) const override {
+    weights = {{{}, process_.noise_variance()}};
+    return process_.at(point, weights.front().weights);
+  }
 
  private:
   ResponseSurface(std::string name, Transform transform, const Replicates& data, const Standard& standard);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "calibration/linear_algebra.h"
 #include "calibration/replicates.h"
@@ -11,11 +12,19 @@ namespace repose {
 /// Then the errors of the two surfaces are not independent.
 struct SharedNoise {
   double correlation = 0.0;  ///< of the scatter of one run
-  Matrix links;  ///< covariance of the means at points of one (down) and of the other (across), over that of one run
+  /// Of each point of the one the same point of the other (-1: it has none), and the covariance of the means there over
+  /// that of one run.
+  std::vector<Index> partner;
+  Vector share;
 
   /// Covariance of two surfaces that take the means of their points with these weights (C.11); variances of one run.
   double covariance(const Vector& weights_a, double variance_a, const Vector& weights_b, double variance_b) const {
-    return correlation * std::sqrt(variance_a * variance_b) * weights_a.dot(links * weights_b);
+    Vector linked(share.size());
+    for (Index i = 0; i < share.size(); ++i) {
+      const Index other = partner[static_cast<std::size_t>(i)];
+      linked[i] = other < 0 ? 0.0 : share[i] * weights_b[other];
+    }
+    return correlation * std::sqrt(variance_a * variance_b) * weights_a.dot(linked);
   }
 };
 

@@ -11,6 +11,7 @@ namespace repose {
 namespace {
 
 constexpr std::uint64_t tries = 2000;
+constexpr std::uint32_t exchanges = 30000;  // that are tried to spread a hypercube in more than three dimensions
 
 /// Each column is a permutation of equal steps from 0 to 1.
 Matrix latin_hypercube(Index points, Index parameters, std::uint64_t seed, std::uint64_t attempt) {
@@ -36,6 +37,36 @@ double least_distance(const Matrix& design) {
   return least;
 }
 
+/// What is least for points that are apart: the sum over pairs with the row of distance^-10, of Morris and Mitchell's
+/// criterion.
+double crowding(const Matrix& design, Index row, Index without) {
+  double sum = 0.0;
+  for (Index i = 0; i < design.rows(); ++i) {
+    if (i == row || i == without) continue;
+    const double squares = (design.row(i) - design.row(row)).squaredNorm();
+    sum += 1.0 / (squares * squares * squares * squares * squares);
+  }
+  return sum;
+}
+
+/// The hypercube with values of two points exchanged in one parameter as often as that spreads it.
+Matrix spread(Matrix design, std::uint64_t seed) {
+  const auto n = static_cast<double>(design.rows());
+  const auto d = static_cast<double>(design.cols());
+  for (std::uint32_t k = 0; k < exchanges; ++k) {
+    const auto number = [&](std::uint32_t j) { return uniform(seed, tries, RandomStream::start_design, 3 * k + j); };
+    const auto a = static_cast<Index>(number(0) * n);
+    const auto b = static_cast<Index>(number(1) * n);
+    const auto j = static_cast<Index>(number(2) * d);
+    if (a == b) continue;
+    // The distance between the two stays.
+    const double before = crowding(design, a, b) + crowding(design, b, a);
+    std::swap(design(a, j), design(b, j));
+    if (crowding(design, a, b) + crowding(design, b, a) >= before) std::swap(design(a, j), design(b, j));
+  }
+  return design;
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> start_design(const std::vector<ParameterRange>& ranges, std::size_t points,
@@ -50,6 +81,7 @@ std::vector<std::vector<double>> start_design(const std::vector<ParameterRange>&
     farthest = distance;
     best = design;
   }
+  if (ranges.size() > 3) best = spread(std::move(best), seed);
   std::vector<std::vector<double>> result;
   for (Index i = 0; i < best.rows(); ++i) result.push_back(from_box(ranges, best.row(i).transpose()));
   return result;

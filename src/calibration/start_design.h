@@ -10,7 +10,9 @@ namespace repose {
 /// The points that an adaptive search starts from, in the parameters' units: of many Latin hypercubes the one whose
 /// two nearest points are the farthest apart (Johnson, Moore, Ylvisaker 1990, doi:10.1016/0378-3758(90)90122-B). A
 /// hypercube shows each parameter at as many values as there are points, where a small grid shows two or three; its
-/// outermost values are the ends of the range. A function of its arguments alone. DeckError for no point.
+/// outermost values are the ends of the range. In more than three dimensions, where no number of tries fills the space,
+/// its points are then spread by exchanges (Morris, Mitchell 1995, doi:10.1016/0378-3758(94)00035-T). A function of its
+/// arguments alone. DeckError for no point.
 std::vector<std::vector<double>> start_design(const std::vector<ParameterRange>& ranges, std::size_t points,
                                               std::uint64_t seed);
 

@@ -8,6 +8,7 @@
 
 #include "campaign/level_report.h"
 #include "campaign/observables.h"
+#include "campaign/posterior_report.h"
 #include "campaign/surface_json.h"
 #include "files/json_text.h"
 
@@ -20,10 +21,6 @@ Json list_of(std::span<const double> values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(json_number(value));
   return list;
-}
-
-Json interval_json(const ConfidenceInterval& i) {
-  return {{"lower", i.lower}, {"upper", i.upper}, {"open_below", i.open_below}, {"open_above", i.open_above}};
 }
 
 Json part_json(const RegionPart& part) {
@@ -64,11 +61,6 @@ Json observable_json(const ObservableDeck& deck, const ObservableData& data, dou
   return json;
 }
 
-std::string interval_text(const ConfidenceInterval& i) {
-  return fmt::format("{}{:.4g} to {}{:.4g}", i.open_below ? "below " : "", i.lower, i.open_above ? "above " : "",
-                     i.upper);
-}
-
 std::string point_text(const CalibrationDeck& deck, const Estimate& estimate, const CalibratedPoint& point) {
   std::string text;
   for (std::size_t k = 0; k < point.values.size(); ++k) {
@@ -77,6 +69,13 @@ std::string point_text(const CalibrationDeck& deck, const Estimate& estimate, co
         fmt::format("  {:24} {:.4g} +- {:.2g}, {:.0f} % region {}\n", deck.study.parameters[k].name, point.values[k],
                     point.standard_errors[k], 100.0 * estimate.confidence, interval_text(interval));
   }
+  return text;
+}
+
+std::string points_text(const CalibrationDeck& deck, const Estimate& estimate) {
+  if (estimate.posterior && !estimate.points.empty()) return posterior_text(deck, estimate);
+  std::string text;
+  for (const CalibratedPoint& point : estimate.points) text += point_text(deck, estimate, point);
   return text;
 }
 
@@ -109,7 +108,7 @@ std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, std::
     text += o.model_deviation() > 0.0 ? fmt::format(", discrepancy of the model {:.2g}\n", o.model_deviation()) : "\n";
   }
   text += curves + estimate.verdict + "\n";
-  for (const CalibratedPoint& point : estimate.points) text += point_text(deck, estimate, point);
+  text += points_text(deck, estimate);
   if (estimate.points.empty()) text += nearest_text(deck, estimate.nearest);
   return text;
 }
@@ -125,9 +124,7 @@ Json other_json(const OtherEstimate& other) {
 }
 
 std::string other_text(const CalibrationDeck& deck, const OtherEstimate& other) {
-  std::string text = fmt::format("{}: {}\n", other.what, other.estimate.verdict);
-  for (const CalibratedPoint& point : other.estimate.points) text += point_text(deck, other.estimate, point);
-  return text;
+  return fmt::format("{}: {}\n", other.what, other.estimate.verdict) + points_text(deck, other.estimate);
 }
 
 }  // namespace
@@ -141,6 +138,7 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
   Json parameters = Json::array();
   for (const ParameterDeck& p : deck.study.parameters) {
     parameters.push_back({{"name", p.name}, {"key", p.key}, {"min", p.min}, {"max", p.max}});
+    if (result.posterior) parameters.back()["prior"] = prior_json(p);
   }
   Json observables = Json::array();
   for (std::size_t k = 0; k < data.size(); ++k) {
@@ -163,6 +161,7 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
                  {"acceptable", result.nearest.acceptable}}},
                {"half_width", json_number(result.half_width)}};
   if (!projection.curves.empty()) json["curves"] = curves_json(projection.curves);
+  if (result.posterior) json["posterior"] = posterior_json(*result.posterior);
   if (misfit.parameters() == 2) json["surfaces"] = surface_json(misfit, deck, result.limit);
   std::string text = text_of(deck, result, records, curves_text(projection.curves));
   if (!deck.levels.empty()) {
@@ -179,7 +178,7 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
     json["without_discrepancy"] = other_json(exact);
     text += other_text(deck, exact);
   }
-  return {text, json_text(json, 1)};
+  return {text, json_text(json, 1), result.posterior ? posterior_csv(deck, *result.posterior) : std::string()};
 }
 
 std::string progress_of(const Estimate& estimate) {

@@ -12,7 +12,8 @@ namespace repose {
 /// What runs and laboratory say, for a person and for programs.
 struct Report {
   std::string text;
-  std::string json;  ///< of estimate.json; with two parameters also the surfaces and contour lines, for the plots
+  std::string json;     ///< of estimate.json; with two parameters also the surfaces and contour lines, for the plots
+  std::string samples;  ///< of posterior.csv: a row each; empty without a posterior
 };
 
 /// DeckError when no surface can be built from the runs.

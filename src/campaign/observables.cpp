@@ -24,11 +24,23 @@ LaboratoryValue laboratory_of(const ObservableDeck& o) {
   return laboratory;
 }
 
+Prior prior_of(const ParameterDeck& p) {
+  switch (p.prior) {
+    case ParameterPrior::normal:
+      return {PriorKind::normal, p.prior_mean, p.prior_deviation};
+    case ParameterPrior::lognormal:
+      return {PriorKind::lognormal, p.prior_mean, p.prior_deviation};
+    case ParameterPrior::uniform:
+      break;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<ParameterRange> ranges_of(const StudyDeck& study) {
   std::vector<ParameterRange> ranges;
-  for (const ParameterDeck& p : study.parameters) ranges.push_back({p.name, p.min, p.max});
+  for (const ParameterDeck& p : study.parameters) ranges.push_back({p.name, p.min, p.max, prior_of(p)});
   return ranges;
 }
 

@@ -276,6 +276,7 @@ void check(CalibrationDeck& deck, DeckErrors& errors) {
   check_study(deck.study, errors);
   check_observables(deck.observables, "", errors);
   check_experiments(deck, errors);
+  check_priors(deck.study, errors);
   check_levels(deck, errors);
   check_points(deck, errors);
   check_number_of_runs(deck, errors);

@@ -31,6 +31,8 @@ void check(SensitivityDeck& deck, DeckErrors& errors) {
     const ParameterDeck& p = deck.study.parameters[i];
     const std::string section = fmt::format("parameter.{}", i);
     if (p.points > 0 || !p.values.empty()) errors.add(section, "\"points\" and \"values\" belong to a calibration");
+    if (p.prior != ParameterPrior::uniform || !std::isnan(p.prior_mean) || !std::isnan(p.prior_deviation))
+      errors.add(section + ".prior", "a prior belongs to a calibration");
     if (std::isnan(p.fixed)) errors.add(section, "[[parameter]] lacks \"fixed\" (its value while another changes)");
   }
   constexpr std::int64_t most = 100000;

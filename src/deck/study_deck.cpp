@@ -56,6 +56,28 @@ void check_study(StudyDeck& study, DeckErrors& errors) {
   }
 }
 
+void check_priors(const StudyDeck& study, DeckErrors& errors) {
+  for (std::size_t i = 0; i < study.parameters.size(); ++i) {
+    const ParameterDeck& p = study.parameters[i];
+    const std::string section = fmt::format("parameter.{}", i);
+    const bool has_mean = !std::isnan(p.prior_mean);
+    const bool has_deviation = !std::isnan(p.prior_deviation);
+    if (p.prior == ParameterPrior::uniform) {
+      if (has_mean || has_deviation)
+        errors.add(section + ".prior",
+                   "\"prior_mean\" and \"prior_deviation\" take prior = \"normal\" or \"lognormal\"");
+      continue;
+    }
+    if (!has_mean || !has_deviation) {
+      errors.add(section + ".prior", "this prior takes \"prior_mean\" and \"prior_deviation\"");
+      continue;
+    }
+    if (p.prior != ParameterPrior::lognormal) continue;
+    if (!(p.prior_mean > 0.0)) errors.add(section + ".prior_mean", "must be above 0 for a lognormal prior");
+    if (!(p.min > 0.0)) errors.add(section + ".min", "must be above 0 for a lognormal prior");
+  }
+}
+
 std::vector<double> values_of(const ParameterDeck& p) {
   if (p.points == 0) return p.values;
   std::vector<double> values;

@@ -9,6 +9,9 @@ namespace repose {
 
 class DeckErrors;
 
+/// What is known of a parameter before any run.
+enum class ParameterPrior { uniform, normal, lognormal };
+
 /// A number of the base deck that runs differ in.
 struct ParameterDeck {
   std::string name;            ///< of tables and folders
@@ -18,6 +21,9 @@ struct ParameterDeck {
   std::int64_t points = 0;     ///< values from min to max, evenly; 0: not given
   std::vector<double> values;  ///< or these
   double fixed = unset;        ///< sensitivity: while another parameter changes
+  ParameterPrior prior = ParameterPrior::uniform;
+  double prior_mean = unset;       ///< of the parameter itself, before the range cuts it off
+  double prior_deviation = unset;  ///< its standard deviation
 };
 
 /// Many runs of one deck.
@@ -33,6 +39,9 @@ struct StudyDeck {
 
 /// Notes what is wrong with the parameters and fills in `min` and `max`.
 void check_study(StudyDeck& study, DeckErrors& errors);
+
+/// Notes what is wrong with the priors, which calibrations alone have.
+void check_priors(const StudyDeck& study, DeckErrors& errors);
 
 /// The values of one parameter.
 std::vector<double> values_of(const ParameterDeck& parameter);

@@ -5,6 +5,8 @@
 
 namespace repose {
 
+constexpr auto enumerators(ParameterPrior) { return std::array<std::string_view, 3>{"uniform", "normal", "lognormal"}; }
+
 template <class V>
 void describe(V& v, ParameterDeck& p) {
   v("name", p.name, Unit::none, any_value, required, "name in tables and folders, used once");
@@ -16,6 +18,11 @@ void describe(V& v, ParameterDeck& p) {
   v("values", p.values, Unit::none, any_value, optional_else("none; this or points"), "the values themselves");
   v("fixed", p.fixed, Unit::none, any_value, optional_else("none; sensitivity decks need it"),
     "sensitivity: value while another parameter changes");
+  v("prior", p.prior, Unit::none, any_value, optional, "calibration: what is known of it before any run");
+  v("prior_mean", p.prior_mean, Unit::none, any_value, optional_else("none; normal and lognormal need it"),
+    "calibration: mean of that prior");
+  v("prior_deviation", p.prior_deviation, Unit::none, above(0), optional_else("none; normal and lognormal need it"),
+    "calibration: its standard deviation");
 }
 
 template <class V>

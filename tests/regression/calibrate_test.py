@@ -241,6 +241,75 @@ class Calibrate(FolderTest):
             for ending in ("png", "pdf"):
                 self.assertGreater(os.path.getsize(os.path.join(output, f"calibration.{ending}")), 5000)
 
+    PRIOR = 'prior = "normal"\nprior_mean = 0.5\nprior_deviation = 0.1\n'
+
+    def test_a_prior_in_place_of_an_observable(self):
+        """The posterior of two parameters from one figure; the same on any ranks, and gone without the prior."""
+        known = SLIDING + "values = [0.1, 0.3, 0.5]\n" + RESTITUTION + "min = 0.2\nmax = 0.8\npoints = 3\n"
+        text = known + self.PRIOR + MASS
+        outputs = [self.path(name) for name in ("one", "three")]
+        says = [self.calibrate(self.write(text), ranks=ranks, output=output) for ranks, output in zip((1, 3), outputs)]
+        for name in ("grid.csv", "estimate.json", "posterior.csv"):
+            self.assertEqual(self.read(name, outputs[0]), self.read(name, outputs[1]))
+        found = json.loads(self.read("estimate.json", outputs[0]))
+        self.assertIn("posterior of 2 parameters from 1 observable", found["verdict"])
+        self.assertIn(found["verdict"], says[0])
+        self.assertEqual([p["prior"] for p in found["parameters"]],
+                         [{"kind": "uniform"}, {"kind": "normal", "mean": 0.5, "deviation": 0.1}])
+        with open(os.path.join(outputs[0], "posterior.csv")) as file:
+            samples = list(csv.DictReader(file))
+        self.assertEqual(len(samples), found["posterior"]["samples"])
+        for name, low, high, marginal in zip(("sliding", "restitution"), (0.1, 0.2), (0.5, 0.8),
+                                             found["posterior"]["marginals"]):
+            values = [float(row[name]) for row in samples]
+            self.assertGreaterEqual(min(values), low)
+            self.assertLessEqual(max(values), high)
+            self.assertAlmostEqual(sum(values) / len(values), marginal["mean"], 6)
+        if found["points"]:
+            self.assertIn(f"  restitution              best {found['points'][0]['values'][1]:.4g}; ", says[0])
+        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
+                               capture_output=True, text=True)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.assertGreater(os.path.getsize(os.path.join(outputs[0], "calibration.png")), 5000)
+        done = self.program.call("estimate", outputs[0], "--deck", self.write(known + MASS + RATE))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("posterior", self.read("estimate.json", outputs[0]))
+
+    def test_a_search_over_four_parameters(self):
+        """With fewer observables than parameters, and a design in place of a grid."""
+        text = (SLIDING + "min = 0.1\nmax = 0.7\n" + RESTITUTION + "min = 0.2\nmax = 0.8\n" + self.PRIOR +
+                '[[parameter]]\nname = "wall"\nkey = "pair.1.sliding_friction"\nmin = 0.1\nmax = 0.7\n'
+                '[[parameter]]\nname = "stiffness"\nkey = "material.0.youngs_modulus"\nmin = 1e6\nmax = 6e6\n'
+                'prior = "lognormal"\nprior_mean = 3e6\nprior_deviation = 1e6\n' + MASS + RATE +
+                "[adaptive]\nstart = 12\nbatch = 2\nbudget = 16\nhalf_width = 0.01\n")
+        outputs = [self.path(name) for name in ("one", "three")]
+        for ranks, output in zip((1, 3), outputs):
+            self.calibrate(self.write(text, seeds=1), ranks=ranks, output=output)
+        for name in ("grid.csv", "estimate.json", "posterior.csv", "search.csv"):
+            self.assertEqual(self.read(name, outputs[0]), self.read(name, outputs[1]))
+        self.assertEqual(len(self.table(outputs[0])), 16)
+        found = json.loads(self.read("estimate.json", outputs[0]))
+        self.assertEqual(len(found["posterior"]["marginals"]), 4)
+        self.assertEqual(len(found["posterior"]["correlations"][3]), 4)
+
+    def test_wrong_priors_are_refused(self):
+        known = GRID.replace("min = 0.2", "PRIORmin = 0.2").replace(RATE, "")
+        def wrong(prior, message, text=known, **named):
+            self.refused(self.write(text.replace("PRIOR", prior)), message, **named)
+        wrong('prior = "flat"\n', '"uniform", "normal"')
+        wrong("prior_mean = 0.5\n", 'take prior = "normal" or "lognormal"')
+        wrong('prior = "normal"\nprior_mean = 0.5\n', 'takes "prior_mean" and "prior_deviation"')
+        wrong(self.PRIOR.replace("0.1", "0"), "prior_deviation")
+        wrong(self.PRIOR.replace("0.5", "1.5"), "of its prior lies from min = 0.2 to max = 0.8")
+        wrong(self.PRIOR.replace("normal", "lognormal").replace("0.5", "-0.5"), "must be above 0 for a lognormal prior")
+        wrong(self.PRIOR.replace("normal", "lognormal"), "must be above 0 for a lognormal prior",
+              text=known.replace("min = 0.2", "min = 0"))
+        wrong(self.PRIOR, "a prior belongs to a calibration", command="sensitivity",
+              text='figures = ["discharged_mass_kg"]\n' + RESTITUTION + "PRIORmin = 0.2\nmax = 0.8\nfixed = 0.5\n")
+        many = "".join(f'[[parameter]]\nname = "p{k}"\nkey = "particles.{k}.mass"\nmin = 0.1\nmax = 0.2\n' for k in range(7))
+        wrong("", "7 parameters; at most 6 can be estimated together",
+              text=many + MASS + "[adaptive]\nstart = 12\nbatch = 2\nbudget = 16\nhalf_width = 0.01\n")
+
     def test_a_search_depends_on_nothing_but_its_runs(self):
         search = (SLIDING + "min = 0.1\nmax = 0.7\n" + RESTITUTION + "min = 0.2\nmax = 0.8\n" + MASS + RATE +
                   "[adaptive]\nstart = 5\nbatch = 2\nbudget = 9\nhalf_width = 0.01\n")

@@ -115,6 +115,18 @@ class Report(SharedFolderTest):
         self.assertEqual(page.root.find(".//section[@class='state']"), None)
         self.assertIn("seeds = 2", page.words("repeat"))
 
+    def test_a_calibration_with_a_prior(self):
+        prior = 'prior = "normal"\nprior_mean = 0.5\nprior_deviation = 0.05\n'
+        output = self.study("calibrate", head(self.base) + GRID.replace("min = 0.2\n", "min = 0.2\n" + prior))
+        marginals = self.read(output, "estimate.json")["posterior"]["marginals"]
+        page = self.page(output)
+        table = page.titled("posterior")
+        for name, marginal in zip(("sliding", "restitution"), marginals):
+            self.assertIn((marginal["mean"], marginal["deviation"]), table[name])
+        self.assertIn("normal, 0.500 ± 0.050", page.words("posterior"))
+        labels = [node.get("aria-label") for node in page.section("posterior").iter("svg")]
+        self.assertEqual(labels, ["posterior"])
+
     def test_a_calibration_renews_its_report(self):
         """It is there from before the first run, is that of the end afterwards, and nothing else depends on it."""
         without = self.study("calibrate", head(self.base) + GRID)

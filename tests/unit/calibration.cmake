@@ -12,3 +12,8 @@ repose_test(calibration_curves LABEL analytic SOURCES calibration_curve_coverage
 repose_test(calibration_levels LABEL analytic SOURCES calibration_level_coverage_test.cpp LINK repose_calibration)
 repose_test(calibration_levels_often LABEL slow TIMEOUT 7200 SOURCES calibration_level_coverage_slow_test.cpp
             LINK repose_calibration)
+repose_test(calibration_posterior LABEL analytic
+  SOURCES calibration_sampling_test.cpp calibration_prior_test.cpp calibration_six_test.cpp
+  LINK repose_calibration)
+repose_test(calibration_six_often LABEL slow TIMEOUT 7200 SOURCES calibration_six_coverage_slow_test.cpp
+            LINK repose_calibration)

@@ -5,6 +5,7 @@ import functools
 import numpy as np
 
 from repose.files import read_table
+from repose.posterior import Posterior
 from repose.study import Study
 
 
@@ -50,6 +51,11 @@ class Calibration(Study):
         """`Surfaces` of what the cheapest level alone would say; None without levels or two parameters."""
         content = self.estimate.get("first_level_alone", {}).get("surfaces")
         return Surfaces(content) if content else None
+
+    @functools.cached_property
+    def posterior(self):
+        """`Posterior` of the parameters; None where the region was not found by sampling."""
+        return Posterior(self.estimate, self.directory / "posterior.csv") if "posterior" in self.estimate else None
 
     @functools.cached_property
     def search(self):

@@ -4,6 +4,7 @@
     figure.savefig("energies.pdf")
 """
 
+from repose.plots.corner import corner
 from repose.plots.course import discharge, energies, walls
 from repose.plots.effects import effect, effects
 from repose.plots.grains import grains
@@ -12,10 +13,13 @@ from repose.plots.lines import line, lines
 from repose.plots.plane import contours, crossing, plane
 from repose.plots.search import search
 
-__all__ = ["calibration", "contours", "crossing", "discharge", "effect", "effects", "energies", "grains", "heat",
-           "line", "lines", "plane", "search", "temperatures", "walls"]
+__all__ = ["calibration", "contours", "corner", "crossing", "discharge", "effect", "effects", "energies", "grains",
+           "heat", "line", "lines", "plane", "search", "temperatures", "walls"]
 
 
 def calibration(study):
-    """What a `Calibration` has found: contours over two parameters, or the runs over each of one or three."""
+    """What a `Calibration` has found: its posterior, contours over two parameters, or the runs over each of one or
+    three."""
+    if study.posterior is not None:
+        return corner(study)
     return plane(study) if study.surfaces is not None else lines(study)

@@ -74,7 +74,8 @@ def draw_region(axes, study):
     surfaces, estimate = study.surfaces, study.estimate
     if surfaces.misfit.min() <= surfaces.limit < surfaces.misfit.max():
         axes.contour(surfaces.x, surfaces.y, surfaces.misfit, levels=[surfaces.limit], colors=[REGION], linewidths=1.5)
-        axes.plot([], [], color=REGION, label=f"{100 * estimate['confidence']:.0f} % region")
+        by = "" if "posterior" not in estimate else " of the figures alone"
+        axes.plot([], [], color=REGION, label=f"{100 * estimate['confidence']:.0f} % region{by}")
     for n, point in enumerate(estimate["points"]):
         axes.plot(*point["values"], "*", color=REGION, markersize=13, markeredgecolor="white",
                   label=None if n else "calibrated")

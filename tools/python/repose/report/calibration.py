@@ -16,7 +16,8 @@ def interval_text(interval, error):
 
 def point_lines(estimate, point):
     """Each calibrated parameter with its standard error and region."""
-    share = f"{100 * estimate['confidence']:.0f} % region"
+    what = "interval" if "posterior" in estimate else "region"
+    share = f"{100 * estimate['confidence']:.0f} % {what}"
     intervals = estimate["parts"][point["part"]]["intervals"]
     return "".join(html.line(words(p["name"]), f"{numbers.number(p['name'], value, error)} "
                              f"<small>{share} {interval_text(interval, error)}</small>")
@@ -40,6 +41,18 @@ def answer(found):
     return lines
 
 
+def posterior_warnings(estimate):
+    """Which parameters the figures do not tell of, and which they draw away from their priors."""
+    listed = []
+    for p, marginal in zip(estimate["parameters"], estimate.get("posterior", {}).get("marginals", ())):
+        name = html.escape(words(p["name"]))
+        if not marginal["determined"]:
+            listed.append(f"The figures do not determine {name}: its posterior is as wide as its prior.")
+        elif marginal["off_prior"] is not None and abs(marginal["off_prior"]) > 2.0:
+            listed.append(f"{name} is off its prior by {numbers.signed(marginal['off_prior'])} standard deviations.")
+    return listed
+
+
 def warnings(found, runs):
     listed = []
     if found.is_complete:
@@ -57,6 +70,7 @@ def warnings(found, runs):
         if open_ends:
             listed.append("The region is open: it meets the end of the range of "
                           f"{html.escape(', '.join(open_ends))} and may go on beyond.")
+        listed += posterior_warnings(estimate)
         for o in estimate["observables"]:
             if o["nearest_off_by"] is not None and abs(o["nearest_off_by"]) > 2.0:
                 listed.append(f"{numbers.name(o['figure'])} is off by "
@@ -104,6 +118,8 @@ def surfaces(found, runs):
         return ""
     note = html.paragraph("Marks are runs: point at one for its figures, follow it to its pile. Dashed is the "
                           "laboratory's value with a band of two standard errors, red the region.", "none")
+    if len(found.parameters) > 3:
+        return ""
     if found.surfaces is None:
         return note + html.gallery([html.picture(svg.of_figure(plots.line(found, figure, parameter),
                                                                f"{figure} over {parameter}", runs.text,
@@ -112,6 +128,34 @@ def surfaces(found, runs):
     shown = [html.picture(svg.of_figure(plots.contours(found, figure), f"contours of {figure}", runs.text,
                                         runs.has_box)) for figure in found.figures]
     return note + html.gallery([*shown, html.picture(svg.of_figure(plots.crossing(found), "where they meet"))])
+
+
+def prior_text(parameter):
+    prior = parameter["prior"]
+    if prior["kind"] == "uniform":
+        return f"uniform, {numbers.plain(parameter['min'])} to {numbers.plain(parameter['max'])}"
+    return f"{prior['kind']}, {numbers.with_error(prior['mean'], prior['deviation'])}"
+
+
+def posterior(found):
+    """Samples of what is known of each parameter and of each pair."""
+    if not found.is_complete or found.posterior is None:
+        return ""
+    rows = []
+    for p in found.estimate["parameters"]:
+        marginal = found.posterior.marginals[p["name"]]
+        share = marginal["deviation"] / marginal["prior_deviation"]
+        rows.append([html.word(p["name"]), prior_text(p),
+                     numbers.number(p["name"], marginal["mean"], marginal["deviation"]),
+                     numbers.number(p["name"], marginal["median"]),
+                     interval_text(marginal["interval"], marginal["deviation"]),
+                     numbers.data(f"{100 * share:.0f} %", share)])
+    note = html.paragraph("Each parameter with its prior (dashed) and its interval (red), and each pair with the regions "
+                          "that hold 68 and 95 % of it; the star is the most likely point.", "none")
+    share = f"{100 * found.estimate['confidence']:.0f} % interval"
+    return (note + html.picture(svg.of_figure(plots.corner(found), "posterior")) +
+            html.table(["parameter", "prior", "mean ± deviation", "median", share, "width over that of the prior"], rows,
+                       numeric=range(2, 6)))
 
 
 def convergence(found):
@@ -164,7 +208,8 @@ def report(found):
     runs, pictures = study.Runs(found, found.figures, order) if has_runs else None, parts.Pictures()
     order = [row for row in order if runs.runs[row]]
     nearest = order[:SHOWN]
-    sections = [Section("surfaces", "Contours", surfaces(found, runs)),
+    sections = [Section("posterior", "Posterior", posterior(found)),
+                Section("surfaces", "Contours", surfaces(found, runs)),
                 Section("asked", "What was asked", asked(found)),
                 Section("nearest", "Runs nearest the answer", pictures_of_nearest(found, runs, pictures, nearest)),
                 Section("search", "Convergence of the search", convergence(found)),

@@ -118,6 +118,7 @@ double factor_of(Unit unit, double length, double density) {
     case Unit::angular_speed:
       return 1.0 / root;
     case Unit::kilogram:
+    case Unit::newton:
       return density * length * length * length;
     case Unit::mass_rate:
       return density * length * length * root;

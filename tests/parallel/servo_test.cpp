@@ -1,7 +1,9 @@
 // Walls under load: a grain between two planes by the closed form, a plate of given weight on a bed, the same bits on
 // any number of ranks and whatever the lists, a wall that finds nothing.
+#include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "deck/read_deck.h"
@@ -163,6 +165,90 @@ TEST(Servo, AGrainBetweenTwoPlanesIsPressedAsHertzSays) {
     const double overlap = std::pow(0.75 * force / (modulus * std::sqrt(1e-3)), 2.0 / 3.0);
     EXPECT_NEAR(scene.simulation().walls()[1].servo->way(), 1e-4 + 2.0 * overlap, 1e-3 * overlap) << force;
   }
+}
+
+/// Six layers of a face-centred crystal between two planes, without friction and gravity; 1.414496 mm is just above
+/// sqrt(2) mm, so that grains beside each other do not touch.
+const char* const crystal = R"(
+gravity = [0.0, 0.0, 0.0]
+[domain]
+min = [0.0, 0.0, -0.001]
+max = [0.005657984, 0.005657984, 0.01]
+periodic = ["x", "y"]
+[[material]]
+name = "grain"
+youngs_modulus = 5e7
+poisson_ratio = 0.25
+density = 2500.0
+[[pair]]
+materials = ["grain", "grain"]
+restitution = 0.3
+sliding_friction = 0.0
+rolling_friction = 0.0
+[[wall]]
+name = "floor"
+type = "plane"
+material = "grain"
+point = [0.0, 0.0, 0.0]
+[[wall]]
+name = "lid"
+type = "plane"
+material = "grain"
+point = [0.0, 0.0, 0.00456]
+[wall.servo]
+direction = [0.0, 0.0, -1.0]
+force = 1.0
+max_speed = 0.05
+max_way = 0.001
+[[particles]]
+type = "lattice"
+material = "grain"
+diameter = 0.001
+lattice = "face_centred"
+counts = [4, 4, 3]
+spacing = 0.001414496
+first = [0.0003, 0.0003, 0.0005]
+[time]
+step = 1e-6
+[[phase]]
+name = "press"
+until = "servo"
+max_time = 1.0
+)";
+
+/// m, by which the lid has to come down for `force` N on each grain of a layer: two contacts with planes, and five
+/// layers that come nearer, each grain resting on four.
+double crystal_way(double force) {
+  const double modulus = 5e7 / (2.0 * (1.0 - 0.0625));
+  const double overlap_at_wall = std::pow(0.75 * force / (modulus * std::sqrt(0.5e-3)), 2.0 / 3.0);
+  const double half = 0.5 * 0.001414496;
+  double low = 0.8 * half, high = half;
+  for (int k = 0; k < 100; ++k) {  // the distance of two layers
+    const double between = 0.5 * (low + high);
+    const double apart = std::sqrt(half * half + between * between);
+    const double overlap = std::max(0.0, 1e-3 - apart);
+    const double borne = 4.0 * (4.0 / 3.0) * modulus * std::sqrt(0.25e-3) * std::pow(overlap, 1.5) * between / apart;
+    (borne > force ? low : high) = between;
+  }
+  return 0.00456 - (1e-3 - 2.0 * overlap_at_wall + 5.0 * high);
+}
+
+TEST(Servo, ACrystalStiffensWithTheThirdRootOfTheStress) {
+  const Communicator world(MPI_COMM_WORLD);
+  const auto way_of = [&](double force) {  // on all 32 grains of a layer
+    const Deck deck = read_deck(crystal, "crystal.toml",
+                                {fmt::format("wall.lid.servo.force={}", force), "wall.lid.servo.tolerance=1e-6"});
+    Simulation s(world, deck, {}, best_vector_level());
+    const Phase phase(deck.phases[0], s);
+    while (!phase.ended_by(s, 100)) s.advance(100);
+    EXPECT_EQ(*phase.ended_by(s, 100), "servo");
+    return s.walls()[1].servo->way();
+  };
+  const auto stiffness = [&](double force) { return 0.02 * force / (way_of(1.01 * force) - way_of(0.99 * force)); };
+  for (const double force : {0.01, 0.32}) {
+    EXPECT_NEAR(way_of(force) / crystal_way(force / 32.0), 1.0, 1e-4) << force;
+  }
+  EXPECT_NEAR(std::log(stiffness(0.32) / stiffness(0.01)) / std::log(32.0), 1.0 / 3.0, 0.005);
 }
 
 TEST(Servo, AWallThatFindsNothingSaysSoOnce) {

@@ -4,6 +4,7 @@
     figure.savefig("energies.pdf")
 """
 
+from repose.plots.compression import compression
 from repose.plots.corner import corner
 from repose.plots.course import discharge, energies, walls
 from repose.plots.effects import effect, effects
@@ -12,9 +13,10 @@ from repose.plots.heat import heat, temperatures
 from repose.plots.lines import line, lines
 from repose.plots.plane import contours, crossing, plane
 from repose.plots.search import search
+from repose.plots.shear import shear
 
-__all__ = ["calibration", "contours", "corner", "crossing", "discharge", "effect", "effects", "energies", "grains",
-           "heat", "line", "lines", "plane", "search", "temperatures", "walls"]
+__all__ = ["calibration", "compression", "contours", "corner", "crossing", "discharge", "effect", "effects", "energies",
+           "grains", "heat", "line", "lines", "plane", "search", "shear", "temperatures", "walls"]
 
 
 def calibration(study):

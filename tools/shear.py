@@ -1,0 +1,52 @@
+#!/usr/bin/python3
+"""Evaluates a shear box: shear stress over way, and the yield locus of runs at several normal stresses.
+
+Usage: tools/shear.py DIR [DIR ...] [--phase NAME] [--plane Z] [--output DIR]
+
+Each DIR is the output directory of a run, as of input/direct_shear.toml with another wall.lid.servo.force. Writes shear.json and
+shear.png, .pdf to the first of them, or to the directory of --output.
+"""
+import argparse
+import json
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "python"), os.path.join(HERE, "..", "python")]  # of the source, installed
+import repose  # noqa: E402
+from repose import plots  # noqa: E402
+from repose.shear import Shear, yield_locus  # noqa: E402
+
+
+def main():
+    arguments = argparse.ArgumentParser(description="shear stress over way and yield locus of a shear box")
+    arguments.add_argument("runs", metavar="DIR", nargs="+", help="output directories of runs at several normal stresses")
+    arguments.add_argument("--phase", metavar="NAME", default="shear", help="in which half the box moves; default: shear")
+    arguments.add_argument("--plane", metavar="Z", type=float, default=0.0, help="height between the halves, m; default: 0")
+    arguments.add_argument("--output", metavar="DIR", help="where to put the files; default: beside the first run")
+    chosen = arguments.parse_args()
+    output = chosen.output or chosen.runs[0]
+    try:
+        tests = [Shear(repose.Run(run), chosen.phase, chosen.plane) for run in chosen.runs]
+        os.makedirs(output, exist_ok=True)
+        results = {"runs": [{"normal_Pa": t.steady_normal, "shear_Pa": t.steady_shear, "friction_deg": t.friction_deg,
+                             "peak_ratio": t.peak} for t in tests]}
+        if len(tests) > 1:
+            results["internal_friction_deg"], results["cohesion_Pa"] = yield_locus(tests)
+        with open(os.path.join(output, "shear.json"), "w") as file:
+            json.dump(results, file, indent=2)
+            file.write("\n")
+        figure = plots.shear(tests)
+        for ending in ("png", "pdf"):
+            figure.savefig(os.path.join(output, f"shear.{ending}"), dpi=200)
+    except (repose.ReposeError, OSError) as error:
+        sys.exit(f"shear.py: {error}")
+    for t in tests:
+        print(f"normal {t.steady_normal:.4g} Pa, shear {t.steady_shear:.4g} Pa: {t.friction_deg:.2f} degrees, at the peak "
+              f"{t.peak:.3f} of the normal stress")
+    if len(tests) > 1:
+        print(f"internal friction {results['internal_friction_deg']:.2f} degrees, cohesion {results['cohesion_Pa']:.3g} Pa")
+
+
+if __name__ == "__main__":
+    main()

@@ -50,7 +50,7 @@ class New : public Command {
                      {"DENSITY", Unit::density, above(0), "a density above 0, such as 2500 or \"2.5 g/cm3\""},
                      "of the grains");
     options.quantity("--grains", grains_, {"NUMBER", Unit::none, from_to(100, 1e9), "a number from 100 to 1e9"},
-                     "about how many: the apparatus becomes so large");
+                     "how many; the apparatus becomes larger or smaller by the cube root");
     options.quantity("--youngs-modulus", youngs_modulus_,
                      {"PRESSURE", Unit::pascal, above(0), "a pressure above 0, such as 5e6 or \"5 MPa\""},
                      "of grains and walls; as soft as in the test if not given");

@@ -5,13 +5,14 @@
 """
 
 from repose.plots.course import discharge, energies, walls
+from repose.plots.curves import curve
 from repose.plots.effects import effect, effects
 from repose.plots.heat import heat, temperatures
 from repose.plots.lines import line, lines
 from repose.plots.plane import contours, crossing, plane
 from repose.plots.search import search
 
-__all__ = ["calibration", "contours", "crossing", "discharge", "effect", "effects", "energies", "heat", "line",
+__all__ = ["calibration", "contours", "crossing", "curve", "discharge", "effect", "effects", "energies", "heat", "line",
            "lines", "plane", "search", "temperatures", "walls"]
 
 

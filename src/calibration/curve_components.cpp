@@ -32,7 +32,7 @@ Matrix correlation_of(const MeasuredCurve& curve) {
 /// The means of the runs at each point, a column each about the mean of their level.
 struct PointMeans {
   Matrix about_level;
-  Vector centre;                  ///< of the last level
+  Vector centre;                   ///< of the last level
   double variance_of_seeds = 0.0;  ///< of a mean in the mean, over all x
 };
 
@@ -40,8 +40,8 @@ PointMeans point_means(const std::vector<Vector>& curves, std::span<const CurveR
   using Key = std::pair<std::size_t, std::size_t>;  // level, point
   std::map<Key, std::pair<Vector, double>> sums;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    auto& [sum, count] = sums.try_emplace({runs[i].level, runs[i].point}, Vector::Zero(curves[i].size()), 0.0)
-                             .first->second;
+    auto& [sum, count] =
+        sums.try_emplace({runs[i].level, runs[i].point}, Vector::Zero(curves[i].size()), 0.0).first->second;
     sum += curves[i];
     count += 1.0;
   }

@@ -22,10 +22,10 @@ struct CurveRun {
   Vector y;
 };
 
-/// What the curves of runs differ by most: the principal components of the curves over the laboratory's deviations, and in
-/// the space of these the combinations in which the laboratory's errors are independent with variance 1, most telling
-/// first. So each is an observable of its own, and neighbouring points do not count as independent (Higdon et al. 2008,
-/// doi:10.1198/016214507000000888; docs/theory.md, "Curves").
+/// What the curves of runs differ by most: the principal components of the curves over the laboratory's deviations, and
+/// in the space of these the combinations in which the laboratory's errors are independent with variance 1, most
+/// telling first. So each is an observable of its own, and neighbouring points do not count as independent (Higdon et
+/// al. 2008, doi:10.1198/016214507000000888; docs/theory.md, "Curves").
 class CurveComponents {
  public:
   /// As few components as leave out no more than 1 % of the variance between the points beside what the seeds explain,

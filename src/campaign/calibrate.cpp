@@ -35,8 +35,7 @@ void check_counts(const CalibrationDeck& deck, const std::string& path) {
                               observables));
 }
 
-std::string write_estimate(const Projection& projection, std::span<const StudyRun> runs,
-                           const std::string& directory) {
+std::string write_estimate(const Projection& projection, std::span<const StudyRun> runs, const std::string& directory) {
   const Report report = report_of(projection, runs);
   write_text_file(directory + estimate_file, report.json);
   return report.text;
@@ -76,11 +75,12 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
 std::string estimate_directory(const Communicator& world, const std::string& directory, const std::string& path) {
   const std::string deck_path = path.empty() ? directory + deck_file : path;
   CalibrationDeck deck = read_calibration_deck(read_shared_file(world, deck_path), deck_path);
-  read_curves(world,
-              [&](const ObservableDeck& o) {
-                return path.empty() ? directory + "/" + curve_copy(o) : path_beside(deck_path, o.curve);
-              },
-              deck);
+  read_curves(
+      world,
+      [&](const ObservableDeck& o) {
+        return path.empty() ? directory + "/" + curve_copy(o) : path_beside(deck_path, o.curve);
+      },
+      deck);
   std::string report;
   agree_after_root(world, [&] {
     const std::vector<StudyRun> runs = level_runs_in(directory + "/runs", deck);

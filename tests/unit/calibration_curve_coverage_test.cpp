@@ -30,8 +30,8 @@ struct DischargeStandIn {
 CurveComponents components_of(const DischargeStandIn& s, const std::vector<double>& hidden,
                               const std::vector<CurveRun>& runs, CurveDraw& draw) {
   const Vector laboratory =
-      s.mean(hidden[0], hidden[1]) + (s.laboratory_deviation / std::sqrt(s.repeats))
-                                         .cwiseProduct(draw.correlated(s.x, s.correlation));
+      s.mean(hidden[0], hidden[1]) +
+      (s.laboratory_deviation / std::sqrt(s.repeats)).cwiseProduct(draw.correlated(s.x, s.correlation));
   return {"discharge", {s.x, laboratory, s.laboratory_deviation, s.correlation}, runs, 2, 4};
 }
 
@@ -82,8 +82,8 @@ TEST(CurveCoverage, ACurveAgainstItselfGivesTheTruth) {
   std::vector<std::vector<double>> points;
   std::vector<CurveRun> runs;
   for (std::size_t point = 0; point < 64; ++point) {
-    points.push_back({0.1 + 0.8 * static_cast<double>(point % 8) / 7.0,
-                      0.1 + 0.4 * static_cast<double>(point / 8) / 7.0});  // whole
+    points.push_back(
+        {0.1 + 0.8 * static_cast<double>(point % 8) / 7.0, 0.1 + 0.4 * static_cast<double>(point / 8) / 7.0});  // whole
     add_curve(runs, point, s.mean(points.back()[0], points.back()[1]));
   }
   const MeasuredCurve curve = {s.x, s.mean(truth[0], truth[1]), Vector::Constant(s.x.size(), 1e-3), 3.0};

@@ -108,7 +108,8 @@ Outlook outlook(const Misfit& misfit, Index k, const Matrix& nodes, const Choice
     const std::size_t level = choices.level[static_cast<std::size_t>(i)];
     const Vector point = choices.points.row(i).transpose();
     o.chance[i] = chance_of_value(misfit, k, level, point);
-    o.noise[i] = surface.noise_variance(level, point) / static_cast<double>(seeds[misfit.experiment(k) * misfit.levels() + level]);
+    o.noise[i] = surface.noise_variance(level, point) /
+                 static_cast<double>(seeds[misfit.experiment(k) * misfit.levels() + level]);
   }
   return o;
 }

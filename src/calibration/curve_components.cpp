@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <fmt/core.h>
 
@@ -17,10 +18,21 @@ constexpr double left_out_most = 0.01;  // of the variance between the points
 constexpr double least_share = 1e-7;    // of a component's deviation over the first one's: below it is rounding
 constexpr double rounding = 1e-12;      // of curves that are all the same
 
+Matrix correlation_of(const MeasuredCurve& curve) {
+  const Index n = curve.x.size();
+  Matrix result = Matrix::Identity(n, n);
+  for (Index i = 0; i < n && curve.correlation_length > 0.0; ++i) {
+    for (Index j = 0; j < i; ++j) {
+      result(i, j) = result(j, i) = std::exp((curve.x[j] - curve.x[i]) / curve.correlation_length);
+    }
+  }
+  return result;
+}
+
 /// The means of the runs at each point, a column each about the mean of their level.
 struct PointMeans {
   Matrix about_level;
-  Vector centre;                  ///< of the last level
+  Vector centre;                   ///< of the last level
   double variance_of_seeds = 0.0;  ///< of a mean in the mean, over all x
 };
 
@@ -28,8 +40,8 @@ PointMeans point_means(const std::vector<Vector>& curves, std::span<const CurveR
   using Key = std::pair<std::size_t, std::size_t>;  // level, point
   std::map<Key, std::pair<Vector, double>> sums;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    auto& [sum, count] = sums.try_emplace({runs[i].level, runs[i].point}, Vector::Zero(curves[i].size()), 0.0)
-                             .first->second;
+    auto& [sum, count] =
+        sums.try_emplace({runs[i].level, runs[i].point}, Vector::Zero(curves[i].size()), 0.0).first->second;
     sum += curves[i];
     count += 1.0;
   }
@@ -63,75 +75,48 @@ PointMeans point_means(const std::vector<Vector>& curves, std::span<const CurveR
 
 CurveComponents::CurveComponents(const std::string& name, MeasuredCurve curve, std::span<const CurveRun> runs,
                                  Index least, Index most)
-    : curve_(std::move(curve)) {
-  const Index n = curve_.x.size();
-  correlation_ = Vector::Zero(n);
-  innovation_ = Vector::Ones(n);
-  for (Index j = 1; j < n && curve_.correlation_length > 0.0; ++j) {
-    const double apart = (curve_.x[j] - curve_.x[j - 1]) / curve_.correlation_length;
-    correlation_[j] = std::exp(-apart);
-    innovation_[j] = std::sqrt(-std::expm1(-2.0 * apart));
-  }
+    : curve_(std::move(curve)), correlation_(correlation_of(curve_)) {
   if (runs.empty()) throw DeckError(fmt::format("observable \"{}\": no run has a curve", name));
-  std::vector<Vector> white;
+  std::vector<Vector> scaled;
   std::size_t last = 0;
   for (const CurveRun& run : runs) {
-    white.push_back(whitened(run.y));
+    scaled.emplace_back(run.y.cwiseQuotient(curve_.deviation));
     last = std::max(last, run.level);
   }
-  PointMeans means = point_means(white, runs, last);
+  PointMeans means = point_means(scaled, runs, last);
   centre_ = std::move(means.centre);
-  const Eigen::JacobiSVD<Matrix> svd(means.about_level, Eigen::ComputeThinU);
+  const Eigen::JacobiSVD<Matrix> svd(means.about_level, Eigen::ComputeThinU);  // (K.2)
   const Vector& deviations = svd.singularValues();
-  if (!(deviations[0] > rounding * centre_.norm()))
+  if (!(deviations[0] > rounding * centre_.norm())) {
     throw DeckError(fmt::format("observable \"{}\": the curves of the runs do not differ from point to point", name));
-
+  }
   const Vector variances = deviations.cwiseAbs2() / static_cast<double>(means.about_level.cols());
   const Index there = (deviations.array() > least_share * deviations[0]).count();
   const auto beyond = [&](Index k) { return variances.tail(variances.size() - k).sum(); };
   const double enough = left_out_most * beyond(0) + means.variance_of_seeds;
   Index kept = 0;
   while (kept < std::min(there, most) && (kept < least || beyond(kept) > enough)) ++kept;
-  components_ = svd.matrixU().leftCols(kept);
   left_out_ = beyond(kept) / beyond(0);
+
+  const Matrix principal = svd.matrixU().leftCols(kept);
+  const Matrix error = principal.transpose() * correlation_ * principal;
+  const Matrix signal = variances.head(kept).asDiagonal();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(signal, error);  // (K.3)
+  const Matrix combinations = solver.eigenvectors().rowwise().reverse();         // the greatest first
+  weights_ = principal * combinations;
+  shapes_ = principal * error * combinations;
   for (Index k = 0; k < kept; ++k) {  // the sign of a component is free: its greatest value is above 0
     Index at = 0;
-    components_.col(k).cwiseAbs().maxCoeff(&at);
-    if (components_(at, k) < 0.0) components_.col(k) *= -1.0;
+    shapes_.col(k).cwiseAbs().maxCoeff(&at);
+    if (shapes_(at, k) > 0.0) continue;
+    shapes_.col(k) *= -1.0;
+    weights_.col(k) *= -1.0;
   }
-}
-
-Vector CurveComponents::whitened(const Vector& y) const {
-  const Vector standard = y.cwiseQuotient(curve_.deviation);
-  Vector white = standard;
-  for (Index j = 1; j < y.size(); ++j)
-    white[j] = (standard[j] - correlation_[j] * standard[j - 1]) / innovation_[j];  // (K.2)
-  return white;
-}
-
-Vector CurveComponents::coloured(const Vector& white) const {
-  Vector standard = white;
-  for (Index j = 1; j < white.size(); ++j)
-    standard[j] = correlation_[j] * standard[j - 1] + innovation_[j] * white[j];
-  return standard.cwiseProduct(curve_.deviation);
 }
 
 Vector CurveComponents::deviation_of(const Vector& deviation) const {
-  const Index n = curve_.x.size();
-  Vector result(count());
-  for (Index k = 0; k < count(); ++k) {
-    const Vector scaled = components_.col(k).cwiseQuotient(innovation_);
-    double sum = 0.0;  // of what the score takes of the places from here on, with their correlation to this one
-    double variance = 0.0;
-    for (Index j = n - 1; j >= 0; --j) {
-      const double next = j + 1 < n ? correlation_[j + 1] : 0.0;
-      const double own = scaled[j] - (j + 1 < n ? next * scaled[j + 1] : 0.0);
-      sum = own * deviation[j] / curve_.deviation[j] + next * sum;
-      variance += innovation_[j] * innovation_[j] * sum * sum;
-    }
-    result[k] = std::sqrt(variance);
-  }
-  return result;
+  const Matrix taken = deviation.cwiseQuotient(curve_.deviation).asDiagonal() * weights_;
+  return (taken.transpose() * correlation_ * taken).diagonal().cwiseSqrt();
 }
 
 double CurveComponents::laboratory_rest() const {

@@ -22,9 +22,10 @@ struct CurveRun {
   Vector y;
 };
 
-/// The directions in which the curves of runs differ most (principal components), in a space where the laboratory's
-/// deviations are independent and have variance 1: so those of the scores are, too, and neighbouring points do not count
-/// as independent (Higdon et al. 2008, doi:10.1198/016214507000000888; docs/theory.md, "Curves").
+/// What the curves of runs differ by most: the principal components of the curves over the laboratory's deviations, and
+/// in the space of these the combinations in which the laboratory's errors are independent with variance 1, most
+/// telling first. So each is an observable of its own, and neighbouring points do not count as independent (Higdon et
+/// al. 2008, doi:10.1198/016214507000000888; docs/theory.md, "Curves").
 class CurveComponents {
  public:
   /// As few components as leave out no more than 1 % of the variance between the points beside what the seeds explain,
@@ -33,12 +34,12 @@ class CurveComponents {
   CurveComponents(const std::string& name, MeasuredCurve curve, std::span<const CurveRun> runs, Index least,
                   Index most);
 
-  Index count() const { return components_.cols(); }
+  Index count() const { return weights_.cols(); }
   /// What a curve has of each component, in standard deviations of one measurement (K.4).
-  Vector scores(const Vector& y) const { return components_.transpose() * (whitened(y) - centre_); }
+  Vector scores(const Vector& y) const { return weights_.transpose() * (y.cwiseQuotient(curve_.deviation) - centre_); }
   Vector laboratory() const { return scores(curve_.y); }
   /// The curve with these scores and nothing else (K.5).
-  Vector curve(const Vector& scores) const { return coloured(centre_ + components_ * scores); }
+  Vector curve(const Vector& scores) const { return (centre_ + shapes_ * scores).cwiseProduct(curve_.deviation); }
   /// Standard deviation of each score when the curve is off by this deviation at each x, with the laboratory's
   /// correlation (K.6).
   Vector deviation_of(const Vector& deviation) const;
@@ -48,14 +49,12 @@ class CurveComponents {
   double laboratory_rest() const;
 
  private:
-  Vector whitened(const Vector& y) const;
-  Vector coloured(const Vector& white) const;
-
   MeasuredCurve curve_;
-  Vector correlation_;  ///< of each place with the one before; 0 at the first
-  Vector innovation_;   ///< sqrt(1 - correlation^2)
+  Matrix correlation_;  ///< of the laboratory's deviations (K.1)
+  // Over the deviations:
   Vector centre_;
-  Matrix components_;  ///< orthonormal columns
+  Matrix weights_;  ///< columns: what each score takes of a curve
+  Matrix shapes_;   ///< columns: the curve that a score of 1 is
   double left_out_ = 0.0;
 };
 

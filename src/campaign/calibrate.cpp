@@ -55,8 +55,7 @@ void check_counts(const CalibrationDeck& deck, const std::string& path) {
                   path, parameters, observables));
 }
 
-std::string write_estimate(const Projection& projection, std::span<const StudyRun> runs,
-                           const std::string& directory) {
+std::string write_estimate(const Projection& projection, std::span<const StudyRun> runs, const std::string& directory) {
   const Report report = report_of(projection, runs);
   if (!report.samples.empty()) write_text_file(directory + samples_file, report.samples);
   write_text_file(directory + estimate_file, report.json);
@@ -98,11 +97,12 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
 std::string estimate_directory(const Communicator& world, const std::string& directory, const std::string& path) {
   const std::string deck_path = path.empty() ? directory + deck_file : path;
   CalibrationDeck deck = read_calibration_deck(read_shared_file(world, deck_path), deck_path);
-  read_curves(world,
-              [&](const ObservableDeck& o) {
-                return path.empty() ? directory + "/" + curve_copy(o) : path_beside(deck_path, o.curve);
-              },
-              deck);
+  read_curves(
+      world,
+      [&](const ObservableDeck& o) {
+        return path.empty() ? directory + "/" + curve_copy(o) : path_beside(deck_path, o.curve);
+      },
+      deck);
   check_priors_in_ranges(deck, deck_path);
   std::string report;
   agree_after_root(world, [&] {

@@ -71,7 +71,7 @@ class Group {
         if (!log) throw FileError(fmt::format("{}/run.log: cannot be opened", folder));
       });
       const RunRequest request = {plan_.bases[plan_.base_of(run)], run.overrides, folder, plan_.level,
-                                  {log.get(), log.get()}, true};
+                                  {log.get(), log.get()},          true};
       run_file(comm_, request, [&](double needed) { return stop_now(needed); });
     } catch (const Stopped&) {
       if (comm_.is_root()) counters_.add(stop_wanted, 1);

@@ -18,12 +18,12 @@ namespace repose {
 /// What many runs of one deck have in common, and where they go.
 struct CampaignPlan {
   StudyDeck study;
-  std::string deck_text;             ///< of the study, for the table
-  std::vector<std::string> bases;    ///< paths of the base decks, for each experiment one per level
-  std::vector<std::string> levels;   ///< their names; empty: there is one, without a name
+  std::string deck_text;                 ///< of the study, for the table
+  std::vector<std::string> bases;        ///< paths of the base decks, for each experiment one per level
+  std::vector<std::string> levels;       ///< their names; empty: there is one, without a name
   std::vector<std::string> experiments;  ///< likewise
   std::vector<RunFigure> figures;        ///< for the table
-  std::string directory;             ///< runs in runs/NAME, tables beside
+  std::string directory;                 ///< runs in runs/NAME, tables beside
   VectorLevel level;
   RunLog log;                    ///< of the whole; each run has a run.log of its own
   LiveReport* report = nullptr;  ///< to be renewed meanwhile; rank 0

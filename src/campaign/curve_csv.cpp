@@ -35,7 +35,8 @@ struct Columns {
 std::size_t column(const std::vector<std::string>& names, const std::string& name, const FilePlace& place) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    fail_at(place, fmt::format("the run's table has no column \"{}\"; did you mean \"{}\"?", name, nearest(name, names)));
+    fail_at(place,
+            fmt::format("the run's table has no column \"{}\"; did you mean \"{}\"?", name, nearest(name, names)));
   }
   return static_cast<std::size_t>(found - names.begin());
 }
@@ -115,7 +116,8 @@ LaboratoryCurve parse_curve_csv(std::string_view text, const std::string& file) 
     curve.y.push_back(y);
     curve.deviation.push_back(deviation);
   });
-  if (!has_header) fail_at({file, std::max<std::size_t>(last, 1)}, fmt::format("the header line must read {}", curve_header));
+  if (!has_header)
+    fail_at({file, std::max<std::size_t>(last, 1)}, fmt::format("the header line must read {}", curve_header));
   if (curve.x.size() < 2) fail_at({file, last}, "a curve takes two lines or more below the header");
   return curve;
 }
@@ -127,9 +129,10 @@ RunCurve parse_run_curve(std::string_view text, const std::string& file, const O
   RunCurve curve;
   for (const Row& row : rows) {
     if (!curve.x.empty() && !(row.x > curve.x.back())) {
-      fail_at({file, row.line}, fmt::format("observable \"{}\": {} does not rise here; compare over a column that does, "
-                                            "or within a phase",
-                                            observable.figure, observable.x));
+      fail_at({file, row.line},
+              fmt::format("observable \"{}\": {} does not rise here; compare over a column that does, "
+                          "or within a phase",
+                          observable.figure, observable.x));
     }
     curve.x.push_back(row.x);
     curve.y.push_back(row.y);
@@ -144,9 +147,10 @@ std::vector<double> at_places(const RunCurve& curve, const std::string& file, co
   if (curve.x.empty() || x.front() < curve.x.front() - slack || x.back() > curve.x.back() + slack) {
     const std::string reach =
         curve.x.empty() ? "has no rows" : fmt::format("reaches from {:g} to {:g}", curve.x.front(), curve.x.back());
-    throw DeckError(fmt::format(
-        "observable \"{}\": {} has x from {:g} to {:g}, but {} of {} {}; shorten the curve or let the runs go on longer",
-        observable.figure, observable.curve, x.front(), x.back(), observable.x, file, reach));
+    throw DeckError(
+        fmt::format("observable \"{}\": {} has x from {:g} to {:g}, but {} of {} {}; shorten the curve or let the runs "
+                    "go on longer",
+                    observable.figure, observable.curve, x.front(), x.back(), observable.x, file, reach));
   }
   std::vector<double> y;
   for (const double place : x) y.push_back(interpolate(curve.x, curve.y, place));

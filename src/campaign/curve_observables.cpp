@@ -47,9 +47,10 @@ StepWindow window_of(const Json& summary, const std::string& path, const Observa
 std::vector<double> curve_of_run(const std::string& folder, const ObservableDeck& o) {
   const std::string file = folder + "/" + o.series;
   if (!std::filesystem::exists(file)) {
-    throw DeckError(fmt::format("observable \"{}\": runs write no {}; their tables are series.csv, walls.csv and those "
-                                "of measurements",
-                                o.figure, o.series));
+    throw DeckError(
+        fmt::format("observable \"{}\": runs write no {}; their tables are series.csv, walls.csv and those "
+                    "of measurements",
+                    o.figure, o.series));
   }
   const std::string text = read_whole_file(file);
   if (o.phase.empty()) return at_places(parse_run_curve(text, file, o, nullptr), file, o);
@@ -60,8 +61,7 @@ std::vector<double> curve_of_run(const std::string& folder, const ObservableDeck
 
 /// The curves of all runs that have one; nothing for the others.
 std::vector<std::optional<Vector>> curves_of_runs(const ObservableDeck& o, const std::string& directory,
-                                                  std::span<const StudyRun> runs,
-                                                  std::span<const RunRecord> records) {
+                                                  std::span<const StudyRun> runs, std::span<const RunRecord> records) {
   std::vector<std::optional<Vector>> curves(runs.size());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].experiment == o.experiment && counts(records[i], o.measured()))

@@ -31,17 +31,17 @@ struct ProjectedCurve {
   CurveComponents components;
 };
 
-/// A deck in which each curve is replaced by an observable for each of its components, NAME.1 and so on, and the records
-/// with the scores of the runs.
+/// A deck in which each curve is replaced by an observable for each of its components, NAME.1 and so on, and the
+/// records with the scores of the runs.
 struct Projection {
   CalibrationDeck deck;
   std::vector<RunRecord> records;
   std::vector<ProjectedCurve> curves;
 };
 
-/// The components are those of the runs that are complete: with more runs they change. A run that failed, or was plugged
-/// unless y is a mass, has no curve. `records` have the figures of the observables that are no curves, in their order.
-/// For rank 0. DeckError when a curve cannot be compared; FileError.
+/// The components are those of the runs that are complete: with more runs they change. A run that failed, or was
+/// plugged unless y is a mass, has no curve. `records` have the figures of the observables that are no curves, in their
+/// order. For rank 0. DeckError when a curve cannot be compared; FileError.
 Projection project_curves(const CalibrationDeck& deck, const std::string& directory, std::span<const StudyRun> runs,
                           std::span<const RunRecord> records);
 

@@ -173,6 +173,10 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
     }
     text += levels_text(deck, runs, records) + links_text(deck, misfit) + other_text(deck, first);
   }
+  for (const OtherEstimate& alone : experiments_alone(deck, runs, records)) {
+    json["experiments_alone"][alone.what] = other_json(alone);
+    text += other_text(deck, alone);
+  }
   if (has_discrepancy(deck)) {
     const OtherEstimate exact = without_discrepancy(deck, runs, records);
     json["without_discrepancy"] = other_json(exact);

@@ -29,8 +29,8 @@ double other_test(const StudyRun& a, const StudyRun& b) {
 }  // namespace
 
 double expected_particle_steps(std::span<const StudyRun> runs, std::span<const RunRecord> records,
-                               std::span<const ParameterDeck> parameters, std::size_t level,
-                               std::size_t experiment, const std::vector<double>& values) {
+                               std::span<const ParameterDeck> parameters, std::size_t level, std::size_t experiment,
+                               const std::vector<double>& values) {
   constexpr double near = 0.01;  // squared, over the ranges: nearer runs are worth the same
   const StudyRun there{values, 0, "", {}, level, experiment};
   double weights = 0.0;

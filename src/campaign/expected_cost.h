@@ -21,7 +21,7 @@ std::vector<std::size_t> longest_first(std::span<const StudyRun> runs, std::span
 /// Particles times steps that a run is expected to take, from complete runs of its test, the nearest most: what the
 /// clock says of them must not change a decision. 1 when there is none.
 double expected_particle_steps(std::span<const StudyRun> runs, std::span<const RunRecord> records,
-                               std::span<const ParameterDeck> parameters, std::size_t level,
-                               std::size_t experiment, const std::vector<double>& values);
+                               std::span<const ParameterDeck> parameters, std::size_t level, std::size_t experiment,
+                               const std::vector<double>& values);
 
 }  // namespace repose

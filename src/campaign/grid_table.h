@@ -12,10 +12,10 @@ namespace repose {
 
 /// Runs and what has become of them: one row per run, in the order of the runs.
 struct GridTable {
-  std::string deck;                     ///< of the study, as it was given
-  std::vector<std::string> parameters;  ///< names
-  std::vector<std::string> figures;     ///< their columns
-  std::vector<std::string> levels;      ///< names; empty: there is one level
+  std::string deck;                      ///< of the study, as it was given
+  std::vector<std::string> parameters;   ///< names
+  std::vector<std::string> figures;      ///< their columns
+  std::vector<std::string> levels;       ///< names; empty: there is one level
   std::vector<std::string> experiments;  ///< likewise
   std::span<const StudyRun> runs;
   std::span<const RunRecord> records;

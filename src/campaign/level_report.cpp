@@ -56,6 +56,35 @@ OtherEstimate first_level_alone(const CalibrationDeck& deck, std::span<const Stu
   return other_estimate(deck.levels[0].name + " alone", misfit_of(first, own.runs, own.records), deck.confidence);
 }
 
+std::vector<OtherEstimate> experiments_alone(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                                             std::span<const RunRecord> records) {
+  std::vector<OtherEstimate> result;
+  for (std::size_t e = 0; deck.experiments.size() > 1 && e < deck.experiments.size(); ++e) {
+    CalibrationDeck alone = deck;
+    alone.observables.clear();
+    std::vector<StudyRun> own_runs;
+    std::vector<RunRecord> own_records;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (runs[i].experiment != e) continue;
+      own_runs.push_back(runs[i]);
+      own_records.push_back(records[i]);
+      own_records.back().figures.clear();
+    }
+    for (std::size_t k = 0; k < deck.observables.size(); ++k) {
+      if (deck.observables[k].experiment != e) continue;
+      alone.observables.push_back(deck.observables[k]);
+      auto own = own_records.begin();
+      for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (runs[i].experiment == e) (own++)->figures.push_back(records[i].figures[k]);
+      }
+    }
+    if (alone.observables.size() < deck.study.parameters.size()) continue;
+    result.push_back(
+        other_estimate(deck.experiments[e].name + " alone", misfit_of(alone, own_runs, own_records), deck.confidence));
+  }
+  return result;
+}
+
 OtherEstimate without_discrepancy(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                                   std::span<const RunRecord> records) {
   CalibrationDeck exact = deck;

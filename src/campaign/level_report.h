@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -22,6 +23,11 @@ struct OtherEstimate {
 /// From the runs of the cheapest level alone, as if it were the one that counts. For decks with levels.
 OtherEstimate first_level_alone(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                                 std::span<const RunRecord> records);
+
+/// From the runs and observables of each experiment alone that has as many observables as there are parameters. For
+/// decks with several.
+std::vector<OtherEstimate> experiments_alone(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                                             std::span<const RunRecord> records);
 
 /// As if the model had no discrepancy. For decks with one.
 OtherEstimate without_discrepancy(const CalibrationDeck& deck, std::span<const StudyRun> runs,

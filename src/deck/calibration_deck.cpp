@@ -255,8 +255,7 @@ void check_levels(const CalibrationDeck& deck, DeckErrors& errors) {
       const StudyDeck below = study_of_level(deck, i - 1, e);
       is_same = own.base == below.base && own.set == below.set;
     }
-    if (is_same)
-      errors.add(section, fmt::format("is the same model as level \"{}\"", deck.levels[i - 1].name));
+    if (is_same) errors.add(section, fmt::format("is the same model as level \"{}\"", deck.levels[i - 1].name));
   }
 }
 

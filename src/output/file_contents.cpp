@@ -85,7 +85,8 @@ void read_grid(const Hdf5Reader& file, FileContents& contents) {
   if (file.has("/runs/figures")) contents.figures = file.read_texts("names", "/runs/figures");
   contents.states = counted(file, "/runs/state", {"waiting", "running", "done", "plugged", "failed"}, "state of a run");
   if (file.has("/runs/experiment")) {
-    contents.experiments = counted(file, "/runs/experiment", file.read_texts("names", "/runs/experiment"), "experiment");
+    contents.experiments =
+        counted(file, "/runs/experiment", file.read_texts("names", "/runs/experiment"), "experiment");
   }
   if (file.has("/runs/level")) {
     contents.levels = counted(file, "/runs/level", file.read_texts("names", "/runs/level"), "level of the model");

@@ -429,12 +429,13 @@ class Calibrate(FolderTest):
         drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
                                capture_output=True, text=True)
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
-        self.report(outputs[0])
+        self.assertIn("laboratory off them", self.report(outputs[0]))
 
     def report(self, output):
+        """The page of a directory."""
         done = self.program.call("report", output, env={"REPOSE_PYTHON": sys.executable})
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertGreater(os.path.getsize(os.path.join(output, "report.html")), 10000)
+        return self.read("report.html", output)
 
     def test_wrong_curves_are_refused(self):
         path = self.write(LINE + CURVE, sets=CLOSE_ROWS)
@@ -478,6 +479,8 @@ class Calibrate(FolderTest):
         says = self.calibrate(path, ranks=1, output=outputs[0])
         self.assertIn("20 runs: 20 done", says)
         self.assertIn("laboratory high.retained_mass_kg", says)
+        self.assertIn("low alone: ", says)
+        self.assertIn("high alone: ", says)
         self.calibrate(path, ranks=3, output=outputs[1])
         for name in ("grid.csv", "estimate.json"):
             self.assertEqual(self.read(name, outputs[1]), self.read(name, outputs[0]))
@@ -487,11 +490,15 @@ class Calibrate(FolderTest):
             self.assertEqual(row["low.discharged_mass_kg"] == "", row["experiment"] == "high")
             self.assertEqual(row["high.retained_mass_kg"] == "", row["experiment"] == "low")
         # Each test is what it is alone.
-        self.calibrate(self.write(points + MASS), output=outputs[2])
+        self.calibrate(self.write(points + MASS.replace("8e-6", "7e-6").replace("repeats = 4\n", "")), output=outputs[2])
         alone = {(r["sliding"], r["seed"]): r["discharged_mass_kg"] for r in self.table(outputs[2])}
         self.assertEqual({(r["sliding"], r["seed"]): r["low.discharged_mass_kg"] for r in rows if r["experiment"] == "low"},
                          alone)
         self.calibrate(self.write(points + MASS + RATE, sets=[*REDUCED, "particles.0.mass=0.04 g"], seeds=3), output=outputs[3])
+        own = json.loads(self.read("estimate.json", outputs[0]))["experiments_alone"]["low alone"]
+        with open(os.path.join(outputs[2], "estimate.json")) as file:
+            other = json.load(file)
+        self.assertEqual((own["verdict"], own["parts"]), (other["verdict"], other["parts"]))
         self.assertEqual([r["high.retained_mass_kg"] for r in rows if r["experiment"] == "high"],
                          [r["retained_mass_kg"] for r in self.table(outputs[3])])
         self.assertIn("0 runs in", self.calibrate(self.write(points + EXPERIMENTS), output=outputs[0]))
@@ -503,7 +510,7 @@ class Calibrate(FolderTest):
         drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
                                capture_output=True, text=True)
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
-        self.report(outputs[0])
+        self.assertIn("high, sliding", self.report(outputs[0]))
 
     def test_a_search_by_several_tests_over_levels(self):
         text = (SLIDING + "min = 0.1\nmax = 0.7\n" + '[[level]]\nname = "soft"\n'

@@ -46,6 +46,10 @@ CHANGED = {
     "calibrate_levels_quick.toml": [('"output.snapshot_interval=0"', FEW_GRAINS), ("seeds = 2", "seeds = 1"),
                                     ("budget_core_hours = 0.2 ", "budget = 20 "),
                                     ("angle_of_repose_deg", "discharge_time_s")],  # so few grains make no pile
+    "calibrate_tests_quick.toml": [("[0.1, 0.3, 0.5, 0.7]", "[0.1, 0.7]"), ("[0.02, 0.12, 0.22, 0.32]", "[0.02, 0.32]"),
+                                   ("particles.0.mass=0.2 g", "particles.0.mass=0.05 g"), ("seeds = 3", "seeds = 1"),
+                                   ("min_time=150 ms", "min_time=110 ms"), ("max_time=150 ms", "max_time=110 ms"),
+                                   ("count=900", "count=200"), ("phase.turn.time=1.2", "phase.turn.time=0.7")],
     "calibrate_photo.toml": [("discharge_mini", "discharge_quick"), ("seeds = 2", "seeds = 1"),
                              ("[0.2, 0.325, 0.45, 0.575]", "[0.5, 0.6, 0.65, 0.7]"),
                              ('"output.snapshot_times=[]"', '"particles.0.mass=0.3 g"')],

@@ -83,9 +83,8 @@ TEST(CurveComponents, ScoresOfTheLaboratoryAreIndependent) {
     EXPECT_LT((components.deviation_of(curve.deviation) - Vector::Ones(2)).norm(), 1e-10) << length;
     const Vector flat = Vector::Constant(6, 0.05);
     const Vector ratio = flat.cwiseQuotient(curve.deviation);
-    const Vector expected = (slopes * (ratio.asDiagonal() * covariance * ratio.asDiagonal()) * slopes.transpose())
-                                .diagonal()
-                                .cwiseSqrt();
+    const Vector expected =
+        (slopes * (ratio.asDiagonal() * covariance * ratio.asDiagonal()) * slopes.transpose()).diagonal().cwiseSqrt();
     EXPECT_LT((components.deviation_of(flat) - expected).norm(), 1e-10) << length;
   }
 }

@@ -25,19 +25,19 @@ ObservableDeck drain() {
 }
 
 TEST(CurveCsv, TakesCommentsAndBlanks) {
-  const LaboratoryCurve curve = parse_curve_csv("# a drain\nx, y, deviation\n0.5,1e-3,1e-4\n\n1.5, 2e-3,2e-4\n", "d.csv");
+  const LaboratoryCurve curve =
+      parse_curve_csv("# a drain\nx, y, deviation\n0.5,1e-3,1e-4\n\n1.5, 2e-3,2e-4\n", "d.csv");
   EXPECT_EQ(curve.x, (std::vector<double>{0.5, 1.5}));
   EXPECT_EQ(curve.y, (std::vector<double>{1e-3, 2e-3}));
   EXPECT_EQ(curve.deviation, (std::vector<double>{1e-4, 2e-4}));
 }
 
 TEST(CurveCsv, SaysWhereItIsWrong) {
-  const auto message = [](const std::string& text) {
-    return deck_error([&] { parse_curve_csv(text, "drain.csv"); });
-  };
+  const auto message = [](const std::string& text) { return deck_error([&] { parse_curve_csv(text, "drain.csv"); }); };
   EXPECT_EQ(message("time,mass,deviation\n0,1,1\n"),
             "drain.csv:1: the header line reads \"time,mass,deviation\"; it must read x,y,deviation");
-  EXPECT_EQ(message("x,y,deviation\n0,1,1\n2,1,1\n1,2,1\n"), "drain.csv:4: x = 1 is not above the 2 before; x must rise");
+  EXPECT_EQ(message("x,y,deviation\n0,1,1\n2,1,1\n1,2,1\n"),
+            "drain.csv:4: x = 1 is not above the 2 before; x must rise");
   EXPECT_EQ(message("x,y,deviation\n0,1,1\n0,1,1\n"), "drain.csv:3: x = 0 is not above the 0 before; x must rise");
   EXPECT_EQ(message("x,y,deviation\n0,1,0\n1,1,1\n"),
             "drain.csv:2: deviation = 0 must be above 0; leave out places that are known exactly");
@@ -146,7 +146,8 @@ TEST_F(Projected, WhatHasFailedHasNoCurve) {
   EXPECT_TRUE(p.records[4].figures[1]);  // of a mass
   deck.observables[1].x = "step";
   deck.observables[1].y = "time_s";
-  EXPECT_EQ(deck_error([&] { projection(); }), "observable \"drain\": the curves of the runs do not differ from point to point");
+  EXPECT_EQ(deck_error([&] { projection(); }),
+            "observable \"drain\": the curves of the runs do not differ from point to point");
   add_run(0.7, RunState::waiting);
   EXPECT_FALSE(counts(records[4], "time_s"));
 }

@@ -112,7 +112,8 @@ TEST(Experiments, SaysWhatIsWrong) {
   expect(parameter + with(two_tests, "base = \"drum.toml\"\n", ""), "lacks \"base\"");
   expect(parameter + two_tests + own_level, "\"soft\" is no [[level]] of the file");
   expect(parameter + levels + two_tests + own_level + own_level, "\"soft\" stands here twice");
-  expect(parameter + with(levels, "set = [\"a.b=1\"]", "base = \"b.toml\"") + two_tests, "stands in [[experiment.level]]");
+  expect(parameter + with(levels, "set = [\"a.b=1\"]", "base = \"b.toml\"") + two_tests,
+         "stands in [[experiment.level]]");
   expect(parameter + with(two_tests, "series = \"surface_angle.csv\"\n", ""), "series");
   expect(parameter + with(two_tests, "series = \"surface", "series = \"../surface"), "in the folder of a run");
   expect(parameter + with(two_tests, "y = \"surface_angle_deg\"\n", "y = \"surface_angle_deg\"\nlaboratory = 3\n"),

@@ -74,6 +74,11 @@ class Calibration(Study):
         return [o["figure"] for o in self.laboratory if not o["is_curve"]]
 
     @property
+    def curves(self):
+        """Names of the curves that are compared; known when the runs are complete."""
+        return [c["name"] for c in self.estimate.get("curves", [])]
+
+    @property
     def laboratory(self):
         """The observables of the deck, those of all experiments: as they were written, with `figure`, the name in
         tables, and `is_curve`."""

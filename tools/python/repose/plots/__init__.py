@@ -7,6 +7,7 @@
 from repose.plots.compression import compression
 from repose.plots.corner import corner
 from repose.plots.course import discharge, energies, walls
+from repose.plots.curves import curve
 from repose.plots.effects import effect, effects
 from repose.plots.grains import grains
 from repose.plots.heat import heat, temperatures
@@ -15,8 +16,8 @@ from repose.plots.plane import contours, crossing, plane
 from repose.plots.search import search
 from repose.plots.shear import shear
 
-__all__ = ["calibration", "compression", "contours", "corner", "crossing", "discharge", "effect", "effects", "energies",
-           "grains", "heat", "line", "lines", "plane", "search", "shear", "temperatures", "walls"]
+__all__ = ["calibration", "compression", "contours", "corner", "crossing", "curve", "discharge", "effect", "effects",
+           "energies", "grains", "heat", "line", "lines", "plane", "search", "shear", "temperatures", "walls"]
 
 
 def calibration(study):

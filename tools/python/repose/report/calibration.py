@@ -158,6 +158,21 @@ def posterior(found):
                        numeric=range(2, 6)))
 
 
+def curves(found):
+    """Those of the laboratory, and what the components have of them."""
+    if not found.is_complete:
+        return ""
+    rows = [[html.escape(c["name"]), numbers.count(len(c["x"])), numbers.count(len(c["components"])),
+             numbers.data(f"{100 * c['left_out']:.2g} %", c["left_out"]),
+             numbers.data(numbers.plain(c["laboratory_rest"], 2), c["laboratory_rest"])]
+            for c in found.estimate.get("curves", ())]
+    if not rows:
+        return ""
+    head = ["curve", "points", "components", "left out of how the runs differ", "laboratory off them, deviations"]
+    return (html.gallery([html.picture(svg.of_figure(plots.curve(found, name), f"curve {name}"))
+                          for name in found.curves]) + html.table(head, rows, numeric=range(1, 5)))
+
+
 def convergence(found):
     if "adaptive" not in found.deck:
         return ""
@@ -210,6 +225,7 @@ def report(found):
     nearest = order[:SHOWN]
     sections = [Section("posterior", "Posterior", posterior(found)),
                 Section("surfaces", "Contours", surfaces(found, runs)),
+                Section("curves", "Curves", curves(found)),
                 Section("asked", "What was asked", asked(found)),
                 Section("nearest", "Runs nearest the answer", pictures_of_nearest(found, runs, pictures, nearest)),
                 Section("search", "Convergence of the search", convergence(found)),

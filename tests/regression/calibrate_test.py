@@ -296,7 +296,7 @@ class Calibrate(FolderTest):
         known = GRID.replace("min = 0.2", "PRIORmin = 0.2").replace(RATE, "")
         def wrong(prior, message, text=known, **named):
             self.refused(self.write(text.replace("PRIOR", prior)), message, **named)
-        wrong('prior = "flat"\n', '"uniform", "normal"')
+        wrong('prior = "flat"\n', "must be one of uniform, normal, lognormal")
         wrong("prior_mean = 0.5\n", 'take prior = "normal" or "lognormal"')
         wrong('prior = "normal"\nprior_mean = 0.5\n', 'takes "prior_mean" and "prior_deviation"')
         wrong(self.PRIOR.replace("0.1", "0"), "prior_deviation")

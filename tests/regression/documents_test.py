@@ -36,6 +36,8 @@ CHANGED = {
     "calibrate_levels_quick.toml": [('"output.snapshot_interval=0"', FEW_GRAINS), ("seeds = 2", "seeds = 1"),
                                     ("budget_core_hours = 0.2 ", "budget = 20 "),
                                     ("angle_of_repose_deg", "discharge_time_s")],  # so few grains make no pile
+    "calibrate_prior_quick.toml": [('"output.snapshot_interval=0"', FEW_GRAINS), ("start = 24", "start = 8"),
+                                   ("budget = 28", "budget = 10"), ("angle_of_repose_deg", "discharge_time_s")],
     "calibrate_photo.toml": [("discharge_mini", "discharge_quick"), ("seeds = 2", "seeds = 1"),
                              ("[0.2, 0.325, 0.45, 0.575]", "[0.5, 0.6, 0.65, 0.7]"),
                              ('"output.snapshot_times=[]"', '"particles.0.mass=0.3 g"')],

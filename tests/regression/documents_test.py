@@ -50,6 +50,8 @@ CHANGED = {
                                    ("particles.0.mass=0.2 g", "particles.0.mass=0.05 g"), ("seeds = 3", "seeds = 1"),
                                    ("min_time=150 ms", "min_time=110 ms"), ("max_time=150 ms", "max_time=110 ms"),
                                    ("count=900", "count=200"), ("phase.turn.time=1.2", "phase.turn.time=0.7")],
+    "calibrate_prior_quick.toml": [('"output.snapshot_interval=0"', FEW_GRAINS), ("start = 24", "start = 8"),
+                                   ("budget = 28", "budget = 10"), ("angle_of_repose_deg", "discharge_time_s")],
     "calibrate_photo.toml": [("discharge_mini", "discharge_quick"), ("seeds = 2", "seeds = 1"),
                              ("[0.2, 0.325, 0.45, 0.575]", "[0.5, 0.6, 0.65, 0.7]"),
                              ('"output.snapshot_times=[]"', '"particles.0.mass=0.3 g"')],

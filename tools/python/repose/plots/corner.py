@@ -56,7 +56,7 @@ def draw_pair(axes, samples, x, y, x_limits, y_limits):
         axes.plot(samples[x], samples[y], ".", color="tab:blue", markersize=1)
         return
     middles = [0.5 * (edges[1:] + edges[:-1]) for edges in (x_edges, y_edges)]
-    axes.contourf(*middles, density, levels=[lower, upper, density.max()], colors=["tab:blue", "tab:blue"], alpha=0.35)
+    axes.contourf(*middles, density, levels=[lower, upper, density.max()], colors=["#c6dbef", "#6baed6"])
     axes.contour(*middles, density, levels=[lower], colors=[REGION], linewidths=1.0)
 
 

@@ -117,10 +117,12 @@ std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, std::
 Json other_json(const OtherEstimate& other) {
   Json points = Json::array();
   for (const CalibratedPoint& point : other.estimate.points) points.push_back(point_json(point));
-  return {{"verdict", other.estimate.verdict},
-          {"points", points},
-          {"parts", parts_json(other.estimate)},
-          {"half_width", json_number(other.estimate.half_width)}};
+  Json json = {{"verdict", other.estimate.verdict},
+               {"points", points},
+               {"parts", parts_json(other.estimate)},
+               {"half_width", json_number(other.estimate.half_width)}};
+  if (other.estimate.posterior) json["posterior"] = posterior_json(*other.estimate.posterior);
+  return json;
 }
 
 std::string other_text(const CalibrationDeck& deck, const OtherEstimate& other) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calibration/level_surface.h"
+#include "calibration/posterior_estimate.h"
 #include "campaign/observables.h"
 #include "campaign/search.h"
 #include "files/json_text.h"
@@ -78,7 +79,8 @@ std::vector<OtherEstimate> experiments_alone(const CalibrationDeck& deck, std::s
         if (runs[i].experiment == e) (own++)->figures.push_back(records[i].figures[k]);
       }
     }
-    if (alone.observables.size() < deck.study.parameters.size()) continue;
+    const bool is_enough = alone.observables.size() >= deck.study.parameters.size();
+    if (!is_enough && !takes_posterior(ranges_of(deck.study))) continue;
     result.push_back(
         other_estimate(deck.experiments[e].name + " alone", misfit_of(alone, own_runs, own_records), deck.confidence));
   }

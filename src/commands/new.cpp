@@ -34,6 +34,12 @@ const ReadyTest& test_named(const std::string& name) {
       fmt::format("there is no ready test \"{}\"; did you mean {}? repose new lists them", name, nearest(name, names)));
 }
 
+/// Mean diameter of the grains of a ready test, in m.
+double diameter_of(const ParticlesDeck& block) {
+  const SizesDeck& sizes = block.sizes;
+  return sizes.enabled ? 0.5 * (sizes.min_diameter + sizes.max_diameter) : block.diameter;
+}
+
 std::size_t place_of(const std::vector<MaterialDeck>& materials, const std::string& name) {
   std::size_t place = 0;
   while (materials.at(place).name != name) ++place;
@@ -91,7 +97,7 @@ class New : public Command {
     const ParticlesDeck& block = deck.particles.front();
     const std::size_t material = place_of(deck.materials, block.material);
     DeckScale scale;
-    if (!std::isnan(diameter_)) scale.grains = diameter_ / block.diameter;
+    if (!std::isnan(diameter_)) scale.grains = diameter_ / diameter_of(block);
     scale.lengths = scale.grains;
     if (!std::isnan(grains_)) scale.lengths *= std::cbrt(grains_ / static_cast<double>(block.count));
     const auto give = [&scale](const std::string& key, double value) {

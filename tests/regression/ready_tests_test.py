@@ -27,10 +27,12 @@ GRAINS = [
 
 
 def short(deck):
-    """Overrides that make each phase a few steps long."""
+    """Overrides that make each phase a few steps long, but those after which a wall appears where grains would still be."""
     sets = []
-    for phase in deck["phase"]:
+    for phase, following in zip(deck["phase"], [*deck["phase"][1:], {}]):
         name = phase["name"]
+        if following.get("add_walls"):
+            continue
         sets += [f"phase.{name}.time=1 ms"] if phase["until"] == "time" else [f"phase.{name}.min_time=0", f"phase.{name}.max_time=1 ms"]
     return sets
 

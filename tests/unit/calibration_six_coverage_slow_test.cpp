@@ -34,5 +34,7 @@ TEST(SixCoverage, WithMeasuredCoefficients) {
   expect_95_percent(six_tally(s, 60, 2, 200, 8000));
 }
 
+TEST(SixCoverage, WithACurve) { expect_95_percent(six_tally(six_stand_in_with_a_curve(), 60, 2, 200, 9000)); }
+
 }  // namespace
 }  // namespace repose

@@ -2,13 +2,14 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "calibration/estimate.h"
 #include "calibration/posterior.h"
 #include "calibration/start_design.h"
-#include "calibration_stand_ins.h"
+#include "calibration_curves.h"
 
 namespace repose {
 
@@ -23,8 +24,18 @@ struct SixStandIn {
     double laboratory_deviation;  ///< of one measurement
   };
 
+  /// A test that gives a curve.
+  struct Curve {
+    Vector (*response)(const Vector& x, const std::vector<double>& p);
+    Vector x;
+    double seed_scatter;  ///< of one run, as a share
+    Vector laboratory_deviation;
+    double correlation_length;  ///< of both
+  };
+
   std::vector<ParameterRange> ranges;
   std::vector<Test> tests;
+  std::optional<Curve> curve;
   double repeats = 5.0;
 };
 
@@ -57,6 +68,46 @@ inline SixStandIn six_stand_in() {
   return s;
 }
 
+/// The same tests, but the discharge and the drawdown are one curve, the mass (g) over time (s): how much comes, how
+/// soon, and how it slows down.
+inline SixStandIn six_stand_in_with_a_curve() {
+  SixStandIn s = six_stand_in();
+  s.tests.erase(s.tests.begin() + 3);
+  s.tests.erase(s.tests.begin());
+  const auto drained = [](const Vector& x, const std::vector<double>& p) -> Vector {
+    const double mass = 23.0 - 0.8 * std::tanh(3.0 * p[0]) - 1.8 * p[1] - 0.9 * p[4] * p[4];
+    const double rate = 2.2 - 1.1 * std::tanh(1.5 * p[0]) - 0.6 * p[2] - 0.3 * p[4];
+    const double slowing = 1.0 + 0.5 * p[1] * p[0];
+    return mass * (1.0 - (-rate * x.array().pow(slowing)).exp());
+  };
+  s.curve = {drained, Vector::LinSpaced(30, 0.1, 3.0), 0.01, Vector::LinSpaced(30, 0.15, 0.4), 1.0};
+  return s;
+}
+
+/// Adds the observables that a curve is made into. `runs` has the parameters of each, points with `seeds` one after the
+/// other.
+inline void add_curve_observables(const SixStandIn& s, const std::vector<double>& hidden,
+                                  const std::vector<std::vector<double>>& runs, std::size_t seeds, CurveDraw& draw,
+                                  std::vector<ObservableData>& observables) {
+  const SixStandIn::Curve& c = *s.curve;
+  const Vector laboratory =
+      c.response(c.x, hidden) +
+      (c.laboratory_deviation / std::sqrt(s.repeats)).cwiseProduct(draw.correlated(c.x, c.correlation_length));
+  std::vector<CurveRun> curves;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Vector y = c.response(c.x, runs[i]);
+    add_curve(curves, i / seeds, y + c.seed_scatter * y.cwiseProduct(draw.correlated(c.x, c.correlation_length)));
+  }
+  const CurveComponents components("drained", {c.x, laboratory, c.laboratory_deviation, c.correlation_length}, curves,
+                                   4, 4);
+  for (Index k = 0; k < components.count(); ++k) {
+    ObservableData& o = observables.emplace_back();
+    o.name = "drained." + std::to_string(k + 1);
+    o.laboratory = {components.laboratory()[k], 1.0, s.repeats};
+    for (const CurveRun& run : curves) o.values.push_back(components.scores(run.y)[k]);
+  }
+}
+
 /// A laboratory with hidden parameters, and the posterior from runs at a design that fills the space.
 struct SixCampaign {
   Misfit misfit;
@@ -65,7 +116,7 @@ struct SixCampaign {
 
 inline SixCampaign six_campaign(const SixStandIn& s, const std::vector<std::vector<double>>& design, int seeds,
                                 std::uint64_t seed) {
-  Draw draw(seed);
+  CurveDraw draw(seed);
   std::vector<double> hidden;
   for (const ParameterRange& range : s.ranges) hidden.push_back(prior_quantile(range, draw.between(0.0, 1.0)));
   std::vector<ObservableData> observables;
@@ -89,6 +140,7 @@ inline SixCampaign six_campaign(const SixStandIn& s, const std::vector<std::vect
       }
     }
   }
+  if (s.curve) add_curve_observables(s, hidden, runs, static_cast<std::size_t>(seeds), draw, observables);
   return {Misfit(s.ranges, runs, observables), hidden};
 }
 

@@ -33,8 +33,8 @@ REDUCED = {
     "moving_bed_exchanger.toml": ("phase.settle.time=2 ms", "phase.sink.time=2 ms"),
     "periodic_chute.toml": ("phase.flow.time=5 ms",),
     "validation.toml": ("particles.0.mass=0.02 g", *SHORT),
-    "uniaxial_compression.toml": ("particles.0.mass=4 g", "wall.lid.centre=[0, 0, 0.012]"),
-    "direct_shear.toml": ("particles.0.mass=20 g", "phase.fill.max_time=150 ms", "phase.press.min_time=0", "phase.press.max_time=20 ms", "phase.shear.time=10 ms",
+    "uniaxial_compression.toml": ("particles.0.count=378", "wall.lid.centre=[0, 0, 0.012]"),
+    "direct_shear.toml": ("particles.0.count=560", "phase.fill.max_time=150 ms", "phase.press.min_time=0", "phase.press.max_time=20 ms", "phase.shear.time=10 ms",
                           "wall.lid.corner=[-0.024, -0.012, 0.0]"),
 }
 # Changes in the copies of studies.

@@ -52,7 +52,7 @@ def laboratories(options):
     values = []
     for hidden in HIDDEN:
         own = [row for row in rows if all(abs(float(row[name]) - x) < 1e-9 for name, x in zip(PARAMETERS, hidden))]
-        of = {figure: [float(row[figure]) for row in own if row["experiment"] == test]
+        of = {figure: [float(row[f"{test}.{figure}"]) for row in own if row["experiment"] == test]
               for test, (_, _, figures) in TESTS.items() for figure in figures}
         assert all(len(samples) == REPEATS for samples in of.values())
         values.append({figure: (statistics.mean(samples), statistics.stdev(samples)) for figure, samples in of.items()})

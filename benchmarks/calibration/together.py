@@ -85,7 +85,7 @@ def main():
     rows = []
     for hidden, laboratory in zip(HIDDEN, laboratories(options)):
         found = calibrate(options, "together",
-                          deck(laboratory, SEEDS, 1, f"[adaptive]\nstart = {POINTS}\nbatch = 1\nbudget = {POINTS}\n"))
+                          deck(laboratory, SEEDS, 1, f"[adaptive]\nstart = {POINTS}\nbatch = 1\nbudget = {POINTS}\nhalf_width = 0.001\n"))
         alone = found.estimate["experiments_alone"]
         marginals = found.estimate["posterior"]["marginals"]
         rows.append({"hidden": dict(zip(PARAMETERS, hidden)), "laboratory": laboratory,

@@ -207,7 +207,8 @@ std::string scaled_deck(const std::string& text, const std::string& path, const 
   Finder finder(root);
   Deck deck;
   describe(finder, deck);
-  for (const auto& [key, value] : scale.given) {
+  for (const auto& entry : scale.given) {
+    const std::string& key = entry.first;  // clang 14 captures no part of a binding
     const auto has_key = [&key](const Found& found) { return found.key == key; };
     if (std::none_of(finder.found().begin(), finder.found().end(), has_key)) {
       throw DeckError(fmt::format("{}: has no number \"{}\" that could be replaced", path, key));

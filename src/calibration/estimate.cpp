@@ -9,6 +9,7 @@
 #include "base/distributions.h"
 #include "base/error.h"
 #include "calibration/confidence_part.h"
+#include "calibration/nearest_point.h"
 #include "calibration/posterior_estimate.h"
 
 namespace repose {
@@ -27,9 +28,7 @@ void check(const Misfit& misfit, double confidence) {
                     "line of parameters that fit it",
                     misfit.observables(), misfit.parameters()));
   }
-  if (!(confidence > 0.0 && confidence < 1.0)) {
-    throw DeckError(fmt::format("confidence {:g}: must be between 0 and 1", confidence));
-  }
+  check_confidence(confidence);
 }
 
 /// Covariance of the parameters (in units of the box) where the surfaces are as planes (C.16).
@@ -125,13 +124,7 @@ Estimate estimate(const Misfit& misfit, double confidence) {
   }
   for (const ConfidencePart& part : parts) e.parts.push_back(in_units(misfit.ranges(), part));
 
-  const LeastSquares& best = minima.front();
-  const auto [differences, covariance] = misfit.look(best.point);
-  const Vector off = differences.cwiseQuotient(covariance.diagonal().cwiseSqrt());
-  e.nearest = {.values = from_box(misfit.ranges(), best.point),
-               .misfit = best.squares,
-               .acceptable = best.squares <= e.limit,
-               .off_by = std::vector<double>(off.begin(), off.end())};
+  e.nearest = nearest_point(misfit, minima.front(), e.limit);
   e.verdict = verdict_of(e, square);
   return e;
 }

@@ -26,26 +26,23 @@ GaussianProcess::GaussianProcess(Replicates data, const Hyperparameters& hyperpa
       kernel_{hyperparameters_.lengths},
       f_(factorise(data_, hyperparameters_, linear_)) {}
 
-SurfaceValue GaussianProcess::at(const Vector& point) const {
+GaussianProcess::Look GaussianProcess::look(const Vector& point) const {
   const Vector near = kernel_.between(data_.points, point.transpose());
   const Vector terms = mean_terms(point.transpose(), linear_).transpose();
-  const Vector excess = terms - f_.weighted_terms.transpose() * near;
-  const double share = 1.0 - f_.covariance.matrixL().solve(near).squaredNorm() +
-                       excess.dot(f_.coefficient_covariance * excess);  // (C.8)
-  return {.mean = terms.dot(f_.coefficients) + near.dot(f_.weights),    // (C.7)
-          .deviation = std::sqrt(f_.signal_variance * std::max(0.0, share))};
+  Vector excess = terms - f_.weighted_terms.transpose() * near;
+  Vector half = f_.covariance.matrixL().solve(near);
+  const double share = 1.0 - half.squaredNorm() + excess.dot(f_.coefficient_covariance * excess);  // (C.8)
+  return {.value = {.mean = terms.dot(f_.coefficients) + near.dot(f_.weights),                     // (C.7)
+                    .deviation = std::sqrt(f_.signal_variance * std::max(0.0, share))},
+          .excess = std::move(excess),
+          .half = std::move(half)};
 }
 
 SurfaceValue GaussianProcess::at(const Vector& point, Vector& weights) const {
-  const Vector near = kernel_.between(data_.points, point.transpose());
-  const Vector terms = mean_terms(point.transpose(), linear_).transpose();
-  const Vector excess = terms - f_.weighted_terms.transpose() * near;
-  const Vector half = f_.covariance.matrixL().solve(near);
-  const double share = 1.0 - half.squaredNorm() + excess.dot(f_.coefficient_covariance * excess);
-  weights = f_.covariance.matrixU().solve(half);
-  weights += f_.weighted_terms * (f_.coefficient_covariance * excess);
-  return {.mean = terms.dot(f_.coefficients) + near.dot(f_.weights),
-          .deviation = std::sqrt(f_.signal_variance * std::max(0.0, share))};
+  const Look found = look(point);
+  weights = f_.covariance.matrixU().solve(found.half);
+  weights += f_.weighted_terms * (f_.coefficient_covariance * found.excess);
+  return found.value;
 }
 
 Vector GaussianProcess::gradient(const Vector& point) const {
@@ -61,9 +58,9 @@ Vector GaussianProcess::gradient(const Vector& point) const {
 }
 
 Vector GaussianProcess::weights(const Vector& point) const {
-  const Vector near = kernel_.between(data_.points, point.transpose());
-  const Vector excess = mean_terms(point.transpose(), linear_).transpose() - f_.weighted_terms.transpose() * near;
-  return f_.covariance.solve(near) + f_.weighted_terms * (f_.coefficient_covariance * excess);
+  Vector weights;
+  at(point, weights);
+  return weights;
 }
 
 Matrix GaussianProcess::covariance(const Matrix& a, const Matrix& b) const {

@@ -21,7 +21,7 @@ class GaussianProcess {
   explicit GaussianProcess(Replicates data);
   GaussianProcess(Replicates data, const Hyperparameters& hyperparameters);
 
-  SurfaceValue at(const Vector& point) const;
+  SurfaceValue at(const Vector& point) const { return look(point).value; }
   /// The same, and `weights`, in less than the time of both.
   SurfaceValue at(const Vector& point, Vector& weights) const;
   Vector gradient(const Vector& point) const;  ///< of the mean
@@ -37,6 +37,14 @@ class GaussianProcess {
   double freedom() const { return f_.freedom; }  ///< degrees of freedom of both variances
 
  private:
+  /// The surface at a point, and what its weights take besides.
+  struct Look {
+    SurfaceValue value;
+    Vector excess;  ///< of the terms of the mean over what the data have of them
+    Vector half;    ///< the kernel to the data, over the root of their covariance
+  };
+  Look look(const Vector& point) const;
+
   Replicates data_;
   bool linear_;
   Hyperparameters hyperparameters_;

@@ -108,17 +108,17 @@ double LevelSurface::explained(std::size_t level) const {
   return variance(whole) > 0.0 ? 1.0 - variance(added) / variance(whole) : 0.0;
 }
 
-std::vector<NoiseWeights> LevelSurface::noise_weights(const Vector& point) const {
-  std::vector<Vector> weights = process_.weights(point);
-  std::vector<NoiseWeights> result;
+SurfaceValue LevelSurface::at(const Vector& point, std::vector<NoiseWeights>& weights) const {
+  std::vector<Vector> own = process_.weights(point);
+  weights.clear();
   for (std::size_t level = 0; level < levels(); ++level) {
     const Matrix& points = data(level).points;
     for (Index i = 0; i < points.rows(); ++i) {
-      weights[level][i] *= std::sqrt(noise_variance(level, points.row(i).transpose()));
+      own[level][i] *= std::sqrt(noise_variance(level, points.row(i).transpose()));
     }
-    result.push_back({std::move(weights[level]), 1.0});
+    weights.push_back({std::move(own[level]), 1.0});
   }
-  return result;
+  return process_.at(point);
 }
 
 }  // namespace repose

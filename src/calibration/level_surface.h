@@ -23,7 +23,6 @@ class LevelSurface : public ObservableSurface {
   double mean(const Vector& point) const override;
   double deviation(const Vector& point) const override;
 
-  using ObservableSurface::at;
   SurfaceValue at(const Vector& point) const override { return process_.at(point); }
   Vector gradient(const Vector& point) const override;
   double freedom(const Vector& point) const override { return process_.freedom(point); }
@@ -37,7 +36,7 @@ class LevelSurface : public ObservableSurface {
   Matrix covariance(std::size_t level_a, const Matrix& a, std::size_t level_b, const Matrix& b) const override {
     return process_.covariance(level_a, a, level_b, b);
   }
-  std::vector<NoiseWeights> noise_weights(const Vector& point) const override;
+  SurfaceValue at(const Vector& point, std::vector<NoiseWeights>& weights) const override;
 
   const LevelProcess& process() const { return process_; }
   /// rho between the scales of the transform, and its standard error: of what a level rises by where the one below

@@ -35,12 +35,8 @@ class ObservableSurface {
   virtual double noise_variance(std::size_t level, const Vector& point) const = 0;  ///< of one run
   /// Of two levels' surfaces, given all runs: at the rows of `a` (down) with those of `b` (across).
   virtual Matrix covariance(std::size_t level_a, const Matrix& a, std::size_t level_b, const Matrix& b) const = 0;
-  virtual std::vector<NoiseWeights> noise_weights(const Vector& point) const = 0;  ///< one per level
-  /// `at`, and `noise_weights` in `weights`.
-  virtual SurfaceValue at(const Vector& point, std::vector<NoiseWeights>& weights) const {
-    weights = noise_weights(point);
-    return at(point);
-  }
+  /// `at`, and what it takes of each level in `weights`.
+  virtual SurfaceValue at(const Vector& point, std::vector<NoiseWeights>& weights) const = 0;
 };
 
 }  // namespace repose

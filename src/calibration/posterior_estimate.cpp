@@ -9,7 +9,7 @@
 
 #include "base/distributions.h"
 #include "base/error.h"
-#include "calibration/descend.h"
+#include "calibration/nearest_point.h"
 
 namespace repose {
 namespace {
@@ -21,9 +21,7 @@ void check(const Misfit& misfit, double confidence) {
   if (parameters < 1 || parameters > most_parameters) {
     throw DeckError(fmt::format("{} parameters: an estimate takes 1 to {}", parameters, most_parameters));
   }
-  if (!(confidence > 0.0 && confidence < 1.0)) {
-    throw DeckError(fmt::format("confidence {:g}: must be between 0 and 1", confidence));
-  }
+  check_confidence(confidence);
 }
 
 /// The residuals of the observables, and each prior that is not uniform as one more.
@@ -100,13 +98,7 @@ Estimate posterior_estimate(const Misfit& misfit, double confidence) {
   const Residuals of_observables = [&](const Vector& point) { return misfit.residuals(point); };
   const Residuals of_all = [&](const Vector& point) { return residuals_with_priors(misfit, point); };
   const LeastSquares best = least(of_all, misfit, *e.posterior);
-  const LeastSquares nearest = descend(of_observables, best.point);
-  const auto [differences, covariance] = misfit.look(nearest.point);
-  const Vector off = differences.cwiseQuotient(covariance.diagonal().cwiseSqrt());
-  e.nearest = {.values = from_box(misfit.ranges(), nearest.point),
-               .misfit = nearest.squares,
-               .acceptable = nearest.squares <= e.limit,
-               .off_by = std::vector<double>(off.begin(), off.end())};
+  e.nearest = nearest_point(misfit, descend(of_observables, best.point), e.limit);
   if (e.nearest.acceptable) {
     e.points.push_back(calibrated_point(misfit, *e.posterior, best.point));
     RegionPart& part = e.parts.emplace_back();

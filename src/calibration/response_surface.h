@@ -42,9 +42,6 @@ class ResponseSurface : public ObservableSurface {
   Matrix covariance(std::size_t /*level_a*/, const Matrix& a, std::size_t /*level_b*/, const Matrix& b) const override {
     return process_.covariance(a, b);
   }
-  std::vector<NoiseWeights> noise_weights(const Vector& point) const override {
-    return {{process_.weights(point), process_.noise_variance()}};
-  }
   SurfaceValue at(const Vector& point, std::vector<NoiseWeights>& weights) const override {
     weights = {{{}, process_.noise_variance()}};
     return process_.at(point, weights.front().weights);

@@ -150,12 +150,10 @@ Samples sample_density(const BoxDensity& density, Index dimensions, const Sample
   move(plan.settling, 1.0);
   result.points.resize(plan.kept * w.size(), dimensions);
   result.log_density.resize(plan.kept * w.size());
-  result.log_likelihood.resize(plan.kept * w.size());
   for (Index k = 0; k < plan.kept; ++k) {
     if (k > 0) move(plan.apart, 1.0);
     result.points.middleRows(k * w.size(), w.size()) = w.points;
     result.log_density.segment(k * w.size(), w.size()) = w.log_prior + w.log_likelihood;
-    result.log_likelihood.segment(k * w.size(), w.size()) = w.log_likelihood;
   }
   result.acceptance =
       static_cast<double>(moved) / (static_cast<double>(moves - before) * static_cast<double>(w.size()));

@@ -25,9 +25,8 @@ struct SamplePlan {
 };
 
 struct Samples {
-  Matrix points;       ///< a row each
-  Vector log_density;  ///< prior times likelihood
-  Vector log_likelihood;
+  Matrix points;            ///< a row each
+  Vector log_density;       ///< prior times likelihood
   Index stages = 0;         ///< powers of the likelihood
   double acceptance = 0.0;  ///< share of the moves at the whole likelihood that were taken
 };

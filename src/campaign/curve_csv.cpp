@@ -14,10 +14,6 @@ namespace {
 
 constexpr const char* curve_header = "x,y,deviation";
 
-void require_fields(const std::vector<std::string_view>& fields, std::size_t count, const FilePlace& place) {
-  if (fields.size() != count) fail_at(place, fmt::format("{} fields instead of {}", fields.size(), count));
-}
-
 /// One row of a run's table.
 struct Row {
   std::int64_t step;

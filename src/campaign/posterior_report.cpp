@@ -1,11 +1,11 @@
 #include "campaign/posterior_report.h"
 
 #include <cmath>
-#include <iterator>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "deck/study_schema.h"
 #include "files/json_text.h"
 
 namespace repose {
@@ -15,18 +15,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double strong = 0.8;   // a correlation of which a person should know
 constexpr double far_off = 2.0;  // from a prior, in its standard deviations
-
-std::string name_of(ParameterPrior prior) {
-  switch (prior) {
-    case ParameterPrior::normal:
-      return "normal";
-    case ParameterPrior::lognormal:
-      return "lognormal";
-    case ParameterPrior::uniform:
-      break;
-  }
-  return "uniform";
-}
 
 std::string remark_of(const Marginal& m) {
   if (!m.determined) return ", as wide as its prior";
@@ -69,7 +57,7 @@ std::string posterior_text(const CalibrationDeck& deck, const Estimate& estimate
 }
 
 Json prior_json(const ParameterDeck& p) {
-  Json json = {{"kind", name_of(p.prior)}};
+  Json json = {{"kind", enumerators(p.prior).at(static_cast<std::size_t>(p.prior))}};
   if (p.prior == ParameterPrior::uniform) return json;
   json["mean"] = p.prior_mean;
   json["deviation"] = p.prior_deviation;
@@ -109,9 +97,9 @@ std::string posterior_csv(const CalibrationDeck& deck, const Posterior& posterio
   text += "log_density\n";
   for (Index i = 0; i < posterior.samples.rows(); ++i) {
     for (Index j = 0; j < posterior.samples.cols(); ++j) {
-      fmt::format_to(std::back_inserter(text), "{:.8g},", posterior.samples(i, j));
+      text += fmt::format("{:.8g},", posterior.samples(i, j));
     }
-    fmt::format_to(std::back_inserter(text), "{:.8g}\n", posterior.log_density[i]);
+    text += fmt::format("{:.8g}\n", posterior.log_density[i]);
   }
   return text;
 }

@@ -28,6 +28,16 @@ void check_servos(const Deck& deck, DeckErrors& errors);
 void check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
                        DeckErrors& errors);
 
+/// That a direction of a section has a length (a part of check_deck).
+void check_direction(const std::string& section, const char* key, const Vec3& direction, DeckErrors& errors);
+
+/// The wall of this name; null, and a note at `key`, when there is none (a part of check_deck).
+const WallDeck* find_wall(const std::string& key, const std::string& name, const Deck& deck, DeckErrors& errors);
+
+/// That factors over time have a time each, and these rise (a part of check_deck).
+void check_course(const std::string& section, const std::vector<double>& times, const std::vector<double>& factors,
+                  DeckErrors& errors);
+
 /// The blocks of particles: amounts, regions, sizes (a part of check_deck).
 void check_particles(const Deck& deck, DeckErrors& errors);
 

@@ -43,24 +43,27 @@ void check_material(const std::string& section, const MaterialDeck& material, co
 }
 
 void check_wall(const std::string& section, const WallHeatDeck& wall, DeckErrors& errors) {
-  if (!rises(wall.times)) errors.add(section + ".times", "\"times\" must rise");
-  check_same_length(section + ".factors", wall.factors.size(), wall.times.size(), "times", errors);
+  check_course(section, wall.times, wall.factors, errors);
   if (wall.type == WallHeatType::power) return;
   if (std::find(wall.factors.begin(), wall.factors.end(), 0.0) != wall.factors.end()) {
     errors.add(section + ".factors", "\"factors\" of a temperature must be above 0");
   }
 }
 
-void check_box(const std::string& section, const PhaseHeatDeck& box, DeckErrors& errors) {
-  if (!(box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z)) {
-    errors.add(section + ".max", "\"max\" must be above \"min\" in all three directions");
-  }
+void check_warm_box(const std::string& section, const PhaseHeatDeck& box, DeckErrors& errors) {
+  check_box(section, box.min, box.max, errors);
   if (std::isnan(box.temperature) && std::isnan(box.power)) {
     errors.add(section, "neither \"temperature\" nor \"power\" is given; give one");
   }
 }
 
 }  // namespace
+
+void check_course(const std::string& section, const std::vector<double>& times, const std::vector<double>& factors,
+                  DeckErrors& errors) {
+  if (!rises(times)) errors.add(section + ".times", "\"times\" must rise");
+  check_same_length(section + ".factors", factors.size(), times.size(), "times", errors);
+}
 
 void check_heat(const Deck& deck, DeckErrors& errors) {
   const auto check_on = [&](const std::string& key, bool is_asked_for) {
@@ -86,7 +89,7 @@ void check_heat(const Deck& deck, DeckErrors& errors) {
     for (std::size_t k = 0; k < deck.phases[i].heat.size(); ++k) {
       const std::string section = fmt::format("phase.{}.heat.{}", i, k);
       check_on(section, true);
-      check_box(section, deck.phases[i].heat[k], errors);
+      check_warm_box(section, deck.phases[i].heat[k], errors);
     }
   }
 }

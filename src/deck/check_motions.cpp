@@ -9,11 +9,6 @@
 namespace repose {
 namespace {
 
-void check_axis(const std::string& section, const Vec3& direction, DeckErrors& errors) {
-  if (norm(direction) > 0.0) return;
-  errors.add(section + ".axis_direction", "\"axis_direction\" has length zero; it needs a direction");
-}
-
 /// Whether a motion takes the images of a body along: it must not move it in a periodic direction, nor turn it out.
 bool suits(const MotionDeck& motion, Axis periodic) {
   const double Vec3::*direction = component(periodic);
@@ -41,7 +36,8 @@ void check_motion_list(const std::string& section, const std::vector<MotionDeck>
       errors.add(motion, fmt::format("moves along or turns away from the periodic direction {} of the [domain]",
                                      enumerators(Axis{})[static_cast<std::size_t>(periodic)]));
     }
-    if (motions[k].type == MotionType::rotation) check_axis(motion, motions[k].axis_direction, errors);
+    if (motions[k].type == MotionType::rotation)
+      check_direction(motion, "axis_direction", motions[k].axis_direction, errors);
     check_phase_names(motion, motions[k].phases, deck, errors);
   }
 }
@@ -94,12 +90,12 @@ void check_motions(const Deck& deck, DeckErrors& errors) {
     }
   }
   if (deck.tilt.enabled) {
-    check_axis("tilt", deck.tilt.axis_direction, errors);
+    check_direction("tilt", "axis_direction", deck.tilt.axis_direction, errors);
     check_phase_names("tilt", deck.tilt.phases, deck, errors);
   }
   if (deck.tilt_onset.enabled) check_tilt_onset(deck, errors);
   if (deck.surface_angle.enabled) {
-    check_axis("measurement.surface_angle", deck.surface_angle.axis_direction, errors);
+    check_direction("measurement.surface_angle", "axis_direction", deck.surface_angle.axis_direction, errors);
   }
   for (std::size_t i = 0; i < deck.phases.size(); ++i) {
     if (deck.phases[i].until != PhaseUntil::tilt_onset || deck.tilt_onset.enabled) continue;

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include "deck/check_deck.h"
-#include "deck/nearest.h"
 
 namespace repose {
 namespace {
@@ -19,17 +18,9 @@ DomainDeck bounds(const ParticlesDeck& p) {
 
 /// The outline of a face is known when its file has been read.
 void check_face(const std::string& section, const ParticlesDeck& p, const Deck& deck, DeckErrors& errors) {
-  std::vector<std::string> names;
-  for (const WallDeck& wall : deck.walls) names.push_back(wall.name);
-  const auto found = std::find(names.begin(), names.end(), p.face);
-  if (found == names.end()) {
-    errors.add(section + ".face",
-               fmt::format(
-                   "unknown wall \"{}\"; {}", p.face,
-                   names.empty() ? "the deck has none" : fmt::format("the nearest is \"{}\"", nearest(p.face, names))));
-    return;
-  }
-  const WallDeck& wall = deck.walls[static_cast<std::size_t>(found - names.begin())];
+  const WallDeck* const found = find_wall(section + ".face", p.face, deck, errors);
+  if (found == nullptr) return;
+  const WallDeck& wall = *found;
   if (wall.type != WallType::mesh && wall.type != WallType::rectangle) {
     errors.add(section + ".face", fmt::format("wall \"{}\" is neither a mesh nor a rectangle", p.face));
   }

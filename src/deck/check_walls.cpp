@@ -10,11 +10,6 @@
 namespace repose {
 namespace {
 
-void check_direction(const std::string& section, const char* key, const Vec3& v, DeckErrors& errors) {
-  if (norm(v) > 0.0) return;
-  errors.add(section + "." + key, fmt::format("\"{}\" has length zero; it needs a direction", key));
-}
-
 void check_profile(const std::string& section, const WallDeck& wall, DeckErrors& errors) {
   check_direction(section, "axis_direction", wall.axis_direction, errors);
   const std::string key = section + ".points";
@@ -48,20 +43,19 @@ void check_rectangle(const std::string& section, const WallDeck& wall, DeckError
 
 class WallPresence {
  public:
-  WallPresence(const std::vector<WallDeck>& walls, DeckErrors& errors) : errors_(errors) {
-    for (const WallDeck& wall : walls) {
-      names_.push_back(wall.name);
+  WallPresence(const Deck& deck, DeckErrors& errors) : deck_(deck), errors_(errors) {
+    for (const WallDeck& wall : deck.walls) {
       if (wall.present) present_.insert(wall.name);
     }
   }
 
   void remove(const std::string& key, const std::string& name) {
-    if (is_known(key, name) && present_.erase(name) == 0) {
+    if (find_wall(key, name, deck_, errors_) != nullptr && present_.erase(name) == 0) {
       errors_.add(key, fmt::format("wall \"{}\" is not there when this phase begins and cannot be removed", name));
     }
   }
   void add(const std::string& key, const std::string& name) {
-    if (is_known(key, name) && !present_.insert(name).second) {
+    if (find_wall(key, name, deck_, errors_) != nullptr && !present_.insert(name).second) {
       errors_.add(key,
                   fmt::format("wall \"{}\" is already there when this phase begins; set present = false, or remove it "
                               "in an earlier phase",
@@ -70,20 +64,29 @@ class WallPresence {
   }
 
  private:
-  bool is_known(const std::string& key, const std::string& name) {
-    if (std::find(names_.begin(), names_.end(), name) != names_.end()) return true;
-    const std::string hint =
-        names_.empty() ? "the deck has none" : fmt::format("the nearest is \"{}\"", nearest(name, names_));
-    errors_.add(key, fmt::format("unknown wall \"{}\"; {}", name, hint));
-    return false;
-  }
-
-  std::vector<std::string> names_;
+  const Deck& deck_;
   std::set<std::string> present_;
   DeckErrors& errors_;
 };
 
 }  // namespace
+
+void check_direction(const std::string& section, const char* key, const Vec3& direction, DeckErrors& errors) {
+  if (norm(direction) > 0.0) return;
+  errors.add(section + "." + key, fmt::format("\"{}\" has length zero; it needs a direction", key));
+}
+
+const WallDeck* find_wall(const std::string& key, const std::string& name, const Deck& deck, DeckErrors& errors) {
+  std::vector<std::string> names;
+  for (const WallDeck& wall : deck.walls) {
+    if (wall.name == name) return &wall;
+    names.push_back(wall.name);
+  }
+  const std::string hint =
+      names.empty() ? "the deck has none" : fmt::format("the nearest is \"{}\"", nearest(name, names));
+  errors.add(key, fmt::format("unknown wall \"{}\"; {}", name, hint));
+  return nullptr;
+}
 
 void check_wall_shapes(const Deck& deck, DeckErrors& errors) {
   for (std::size_t i = 0; i < deck.walls.size(); ++i) {
@@ -99,7 +102,7 @@ void check_wall_shapes(const Deck& deck, DeckErrors& errors) {
 }
 
 void check_phases(const Deck& deck, DeckErrors& errors) {
-  WallPresence walls(deck.walls, errors);
+  WallPresence walls(deck, errors);
   for (std::size_t i = 0; i < deck.phases.size(); ++i) {
     const PhaseDeck& phase = deck.phases[i];
     const std::string section = fmt::format("phase.{}", i);

@@ -31,6 +31,10 @@ std::vector<std::string_view> split_fields(std::string_view line) {
   return fields;
 }
 
+void require_fields(const std::vector<std::string_view>& fields, std::size_t count, const FilePlace& place) {
+  if (fields.size() != count) fail_at(place, fmt::format("{} fields instead of {}", fields.size(), count));
+}
+
 std::string compact(std::string_view line) {
   std::string text;
   std::copy_if(line.begin(), line.end(), std::back_inserter(text),

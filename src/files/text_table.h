@@ -24,6 +24,9 @@ double parse_number(std::string_view field, std::string_view column, const FileP
 /// The fields between the commas of a line, trimmed.
 std::vector<std::string_view> split_fields(std::string_view line);
 
+/// DeckError with the place when a line has another number of fields.
+void require_fields(const std::vector<std::string_view>& fields, std::size_t count, const FilePlace& place);
+
 /// A header line without blanks and quotes.
 std::string compact(std::string_view line);
 

@@ -24,7 +24,6 @@ constexpr double undetermined = std::numeric_limits<double>::quiet_NaN();
 HeatTransfer::HeatTransfer(const Deck& deck, const MaterialTable& materials, const Insertion& insertion, double growth)
     : state_(deck, materials, insertion, growth),
       every_(deck.heat.every),
-      boxes_(deck),
       ledger_(HeatLedger::none(deck.walls.size())) {
   for (const WallDeck& wall : deck.walls) walls_.push_back(wall.heat);
   wall_temperature_.assign(walls_.size(), undetermined);

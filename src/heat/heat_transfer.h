@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "contact/wall_contacts.h"
@@ -47,9 +48,9 @@ class HeatTransfer {
   void enter(double temperature, Particles& particles);
   /// A particle grows by more of the same, as warm as it is.
   void multiply(double mass_factor, std::size_t i, Particles& particles);
-  /// Which boxes of [[phase.heat]] there are from now on.
-  void begin_phase(const std::string& name) { boxes_.begin_phase(name); }
-  /// Gives the particles in the boxes of the phase their temperatures.
+  /// The boxes of [[phase.heat]] that there are from now on.
+  void set_boxes(std::vector<PhaseHeatDeck> boxes) { boxes_ = PhaseHeat(std::move(boxes)); }
+  /// Gives the particles in the boxes their temperatures.
   void warm(Particles& particles);
   /// Takes the heat of parked particles out.
   void take_leavers(Particles& particles);

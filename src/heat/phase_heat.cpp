@@ -12,17 +12,10 @@ bool holds(const PhaseHeatDeck& box, const Vec3& place) {
 
 }  // namespace
 
-void PhaseHeat::begin_phase(const std::string& name) {
-  now_.clear();
-  for (const PhaseDeck& phase : phases_) {
-    if (phase.name == name) now_ = phase.heat;
-  }
-}
-
 /// Of the last box that holds the place and says something.
 double PhaseHeat::last(const Vec3& place, double PhaseHeatDeck::*value, double otherwise) const {
   double found = otherwise;
-  for (const PhaseHeatDeck& box : now_) {
+  for (const PhaseHeatDeck& box : boxes_) {
     if (!std::isnan(box.*value) && holds(box, place)) found = box.*value;
   }
   return found;

@@ -1,20 +1,19 @@
 #pragma once
 
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "deck/deck.h"
 
 namespace repose {
 
-/// The boxes of a deck's [[phase.heat]], phase by phase.
+/// The boxes of [[phase.heat]] of a phase.
 class PhaseHeat {
  public:
-  explicit PhaseHeat(const Deck& deck) : phases_(deck.phases) {}
+  PhaseHeat() = default;
+  explicit PhaseHeat(std::vector<PhaseHeatDeck> boxes) : boxes_(std::move(boxes)) {}
 
-  /// A phase without boxes of that name, or none of that name: nothing from now on.
-  void begin_phase(const std::string& name);
-  bool is_empty() const { return now_.empty(); }
+  bool is_empty() const { return boxes_.empty(); }
 
   /// K that a particle at `place` (m, within the domain) is given when the phase begins; NaN: it keeps its own.
   double temperature(const Vec3& place) const { return last(place, &PhaseHeatDeck::temperature, unset); }
@@ -24,8 +23,7 @@ class PhaseHeat {
  private:
   double last(const Vec3& place, double PhaseHeatDeck::*value, double otherwise) const;
 
-  std::vector<PhaseDeck> phases_;
-  std::vector<PhaseHeatDeck> now_;
+  std::vector<PhaseHeatDeck> boxes_;
 };
 
 }  // namespace repose

@@ -106,11 +106,12 @@ void Simulation::advance(std::int64_t steps) {
 
 void Simulation::begin_phase(const std::string& name) {
   scene_.begin_phase(name);
-  const auto phase =
+  const auto found =
       std::find_if(deck_.phases.begin(), deck_.phases.end(), [&](const PhaseDeck& p) { return p.name == name; });
-  moves_ = phase == deck_.phases.end() || phase->mechanics;
-  growth_ = phase == deck_.phases.end() ? GrowthDeck{} : phase->growth;
-  if (heat_) heat_->begin_phase(name);
+  const PhaseDeck phase = found == deck_.phases.end() ? PhaseDeck{} : *found;
+  moves_ = phase.mechanics;
+  growth_ = phase.growth;
+  if (heat_) heat_->set_boxes(phase.heat);
 }
 
 void Simulation::warm() {

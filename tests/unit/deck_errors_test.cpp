@@ -476,7 +476,7 @@ TEST(DeckErrors, HeatAndWhatItNeeds) {
   says({box(", power=1")}, "there is no [heat]");
   says(with_hot({box("")}), "neither \"temperature\" nor \"power\" is given; give one");
   says(with_hot({"phase.1.heat=[{min=[0, 0, 0], max=[1, 0, 1], power=1}]"}),
-       "\"max\" must be above \"min\" in all three directions");
+       "\"max\" must be greater than \"min\" in x, y and z");
   EXPECT_EQ(message_of(example_deck, with_hot({box(", power=1, temperature=400")})), "no error");
 }
 

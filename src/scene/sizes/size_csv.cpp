@@ -47,7 +47,7 @@ class Table {
 
   void add(std::string_view line, const FilePlace& place) {
     const auto fields = split_fields(line);
-    if (fields.size() != 2) fail_at(place, fmt::format("{} fields instead of 2", fields.size()));
+    require_fields(fields, 2, place);
     const double diameter = parse_number(fields[0], "diameter", place) / header_.divisor;
     const double value = parse_number(fields[1], header_.share, place);
     if (!(diameter > diameter_)) {

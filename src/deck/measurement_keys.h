@@ -177,6 +177,82 @@ void describe(V& v, RetainedSlopeDeck& r) {
   v("fit_to", r.fit_to, Unit::none, above_to(0, 1), optional, "upper end of the fit, above fit_from");
 }
 
+enum class ShearType { translation, rotation };
+constexpr auto enumerators(ShearType) { return std::array<std::string_view, 2>{"translation", "rotation"}; }
+
+struct ShearDeck {
+  bool enabled = false;  ///< true when the deck has the section
+  ShearType type = ShearType::translation;
+  std::vector<std::string> walls;      ///< one half of the cell
+  Vec3 direction;                      ///< translation: in which the halves move past each other
+  double area = unset;                 ///< translation: of the plane between them
+  Vec3 axis_origin;                    ///< rotation
+  Vec3 axis_direction{0.0, 0.0, 1.0};  ///< rotation
+  double inner_radius = 0.0;           ///< rotation: of the ring
+  double outer_radius = unset;         ///< rotation
+  double plane_height = unset;         ///< z of the plane between the halves
+  std::string phase;                   ///< in which they move
+  double from = 0.0;                   ///< time since the phase began from which on the stresses are steady
+  double interval = 1e-3;              ///< between samples
+};
+
+template <class V>
+void describe(V& v, ShearDeck& s) {
+  const bool turns = s.type == ShearType::rotation;
+  const Presence needed_along = required.when(!turns, "type = translation");
+  const Presence optional_about = optional.when(turns, "type = rotation");
+  v("type", s.type, Unit::none, any_value, optional, "translation: a box; rotation: a ring");
+  v("walls", s.walls, Unit::none, any_value, required, "names of the walls of one half, whose loads give the stresses");
+  v("direction", s.direction, Unit::none, any_value, needed_along,
+    "horizontal, in which the halves move past each other, of any length");
+  v("area", s.area, Unit::area, above(0), needed_along, "of the plane between the halves");
+  v("axis_origin", s.axis_origin, Unit::metre, any_value, optional_about, "point of the axis of the ring");
+  v("axis_direction", s.axis_direction, Unit::none, any_value, optional_about, "direction of the axis, of any length");
+  v("inner_radius", s.inner_radius, Unit::metre, at_least(0), optional_about, "inner radius of the ring");
+  v("outer_radius", s.outer_radius, Unit::metre, above(0), required.when(turns, "type = rotation"),
+    "outer radius of the ring");
+  v("plane_height", s.plane_height, Unit::metre, any_value, required,
+    "z of the plane between the halves; the weight of the grains between it and the walls counts");
+  v("phase", s.phase, Unit::none, any_value, required, "phase in which the halves move past each other");
+  v("from", s.from, Unit::second, at_least(0), optional,
+    "time since the phase began from which on the stresses count as steady");
+  v("interval", s.interval, Unit::second, above(0), optional, "time between samples");
+}
+
+struct CompressionDeck {
+  bool enabled = false;  ///< true when the deck has the section
+  std::string lid;       ///< wall with a servo
+  double area = unset;
+  double height = unset;  ///< of the bed's room when the lid is where it is in the deck
+  std::string load_phase, unload_phase;
+  double interval = 1e-3;  ///< between samples
+};
+
+template <class V>
+void describe(V& v, CompressionDeck& c) {
+  v("lid", c.lid, Unit::none, any_value, required, "name of the wall with a [wall.servo] that presses on the bed");
+  v("area", c.area, Unit::area, above(0), required, "of the bed's cross-section");
+  v("height", c.height, Unit::metre, above(0), required,
+    "from the floor to the lid where it is in the deck, along the lid's direction");
+  v("load_phase", c.load_phase, Unit::none, any_value, required, "phase at whose end the bed is loaded most");
+  v("unload_phase", c.unload_phase, Unit::none, any_value, required, "phase after it, in which the lid goes back");
+  v("interval", c.interval, Unit::second, above(0), optional, "time between samples");
+}
+
+struct FlowEnergyDeck {
+  bool enabled = false;            ///< true when the deck has the section
+  std::vector<std::string> walls;  ///< of the blade
+  std::string phase;               ///< in which its work is summed
+  double interval = 1e-4;          ///< between samples
+};
+
+template <class V>
+void describe(V& v, FlowEnergyDeck& f) {
+  v("walls", f.walls, Unit::none, any_value, required, "names of the walls of the blade");
+  v("phase", f.phase, Unit::none, any_value, required, "phase in which the blade's work on the grains is summed");
+  v("interval", f.interval, Unit::second, above(0), optional, "time between samples");
+}
+
 /// The sections below [measurement.
 struct MeasurementDecks {
   DischargeDeck discharge;
@@ -186,6 +262,9 @@ struct MeasurementDecks {
   SurfaceAngleDeck surface_angle;
   BulkDensityDeck bulk_density;
   RetainedSlopeDeck retained_slope;
+  ShearDeck shear;
+  CompressionDeck compression;
+  FlowEnergyDeck flow_energy;
 };
 
 template <class V>
@@ -197,6 +276,9 @@ void describe_measurements(V& v, MeasurementDecks& d) {
   v.section("surface_angle", d.surface_angle, optional, "measure the slope of the bed in a rotating drum");
   v.section("bulk_density", d.bulk_density, optional, "measure the density of the settled bed before it is let out");
   v.section("retained_slope", d.retained_slope, optional, "measure the slope of the bed that stays in the vessel");
+  v.section("shear", d.shear, optional, "measure the stresses in the plane of a shear cell, and their ratio");
+  v.section("compression", d.compression, optional, "measure porosity and modulus of a bed under a lid");
+  v.section("flow_energy", d.flow_energy, optional, "measure the work of a blade on the grains");
 }
 
 }  // namespace repose

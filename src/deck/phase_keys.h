@@ -58,9 +58,10 @@ void describe(V& v, TiltDeck& t) {
   v("phases", t.phases, Unit::none, any_value, optional, "phases in which it tilts; none named: all");
 }
 
-enum class PhaseUntil { kinetic_energy, time, steps, tilt_onset, servo, wall_force };
+enum class PhaseUntil { kinetic_energy, time, steps, tilt_onset, servo, wall_force, wall_torque };
 constexpr auto enumerators(PhaseUntil) {
-  return std::array<std::string_view, 6>{"kinetic_energy", "time", "steps", "tilt_onset", "servo", "wall_force"};
+  return std::array<std::string_view, 7>{"kinetic_energy", "time",       "steps",      "tilt_onset",
+                                         "servo",          "wall_force", "wall_torque"};
 }
 
 /// Whether a condition may never come to hold, so that the phase needs a max_time.
@@ -101,11 +102,14 @@ void describe(V& v, PhaseHeatDeck& h) {
 struct PhaseDeck {
   std::string name;
   PhaseUntil until = PhaseUntil::time;
-  double kinetic_energy = unset;  ///< kinetic_energy: mean translational energy per particle to fall below
-  double time = unset;            ///< time: duration of the phase
-  std::int64_t steps = 0;         ///< steps: length of the phase
-  std::string wall;               ///< wall_force: on which the force is looked at
-  double force = unset;           ///< wall_force: magnitude to be reached
+  double kinetic_energy = unset;       ///< kinetic_energy: mean translational energy per particle to fall below
+  double time = unset;                 ///< time: duration of the phase
+  std::int64_t steps = 0;              ///< steps: length of the phase
+  std::string wall;                    ///< wall_force, wall_torque: on which these are looked at
+  double force = unset;                ///< wall_force: magnitude to be reached
+  double torque = unset;               ///< wall_torque: magnitude to be reached
+  Vec3 axis_origin;                    ///< wall_torque: point of the axis of the torque
+  Vec3 axis_direction{0.0, 0.0, 1.0};  ///< wall_torque
   double min_time = 0.0;
   double max_time = unset;  ///< ends the phase whatever its condition
   bool mechanics = true;    ///< false: nothing moves, heat alone goes on
@@ -126,11 +130,20 @@ void describe(V& v, PhaseDeck& p) {
   v("steps", p.steps, Unit::none, at_least(1), required.when(p.until == PhaseUntil::steps, "until = steps"),
     "number of steps");
   const bool by_force = p.until == PhaseUntil::wall_force;
-  v("wall", p.wall, Unit::none, any_value, required.when(by_force, "until = wall_force"), "name of the wall");
+  const bool by_torque = p.until == PhaseUntil::wall_torque;
+  v("wall", p.wall, Unit::none, any_value, required.when(by_force || by_torque, "until = wall_force, wall_torque"),
+    "name of the wall");
   v("force", p.force, Unit::newton, above(0), required.when(by_force, "until = wall_force"),
     "ends when the magnitude of the grains' force on the wall is above");
+  v("torque", p.torque, Unit::newton_metre, above(0), required.when(by_torque, "until = wall_torque"),
+    "ends when the magnitude of the grains' torque on the wall about the axis is above");
+  v("axis_origin", p.axis_origin, Unit::metre, any_value, optional.when(by_torque, "until = wall_torque"),
+    "point of the axis");
+  v("axis_direction", p.axis_direction, Unit::none, any_value, optional.when(by_torque, "until = wall_torque"),
+    "direction of the axis, of any length");
   v("min_time", p.min_time, Unit::second, at_least(0),
-    optional.when(by_energy || by_force || p.until == PhaseUntil::servo, "until = kinetic_energy, servo, wall_force"),
+    optional.when(by_energy || by_force || by_torque || p.until == PhaseUntil::servo,
+                  "until = kinetic_energy, servo, wall_force, wall_torque"),
     "the condition is not asked before");
   v("max_time", p.max_time, Unit::second, above(0),
     may_never_hold(p.until) ? required : optional_else("none; all but time and steps need it"),

@@ -108,6 +108,8 @@ double factor_of(Unit unit, double length, double density) {
   switch (unit) {
     case Unit::metre:
       return length;
+    case Unit::area:
+      return length * length;
     case Unit::volume:
       return length * length * length;
     case Unit::second:
@@ -127,6 +129,7 @@ double factor_of(Unit unit, double length, double density) {
     case Unit::pascal:
       return density * length;
     case Unit::joule:
+    case Unit::newton_metre:
       return density * length * length * length * length;
     case Unit::none:
     case Unit::density:

@@ -19,6 +19,7 @@ struct Symbol {
 };
 
 constexpr Symbol metre[] = {{"m", 0}, {"km", 3}, {"cm", -2}, {"mm", -3}, {"um", -6}, {"nm", -9}};
+constexpr Symbol area[] = {{"m2", 0}, {"cm2", -4}, {"mm2", -6}, {"um2", -12}};
 constexpr Symbol volume[] = {{"m3", 0},  {"cm3", -6}, {"mm3", -9}, {"ml", -6},
                              {"ul", -9}, {"nl", -12}, {"pl", -15}, {"um3", -18}};
 constexpr Symbol second[] = {{"s", 0}, {"ms", -3}, {"us", -6}, {"ns", -9}};
@@ -29,6 +30,7 @@ constexpr Symbol speed[] = {{"m/s", 0}, {"km/s", 3}, {"cm/s", -2}, {"mm/s", -3},
 constexpr Symbol acceleration[] = {{"m/s2", 0}, {"cm/s2", -2}, {"mm/s2", -3}};
 constexpr Symbol joule[] = {{"J", 0}, {"kJ", 3}, {"mJ", -3}, {"uJ", -6}, {"nJ", -9}, {"pJ", -12}, {"fJ", -15}};
 constexpr Symbol newton[] = {{"N", 0}, {"kN", 3}, {"mN", -3}, {"uN", -6}, {"nN", -9}};
+constexpr Symbol newton_metre[] = {{"N m", 0}, {"mN m", -3}, {"uN m", -6}, {"nN m", -9}};
 constexpr Symbol mass_rate[] = {{"kg/s", 0}, {"t/s", 3}, {"g/s", -3}, {"mg/s", -6}};
 constexpr Symbol per_second[] = {{"1/s", 0}, {"1/ms", 3}};
 
@@ -60,6 +62,8 @@ Dimension dimension(Unit unit) {
       return {"a length", metre};
     case Unit::second:
       return {"a time", second};
+    case Unit::area:
+      return {"an area", area};
     case Unit::volume:
       return {"a volume", volume};
     case Unit::kilogram:
@@ -76,6 +80,8 @@ Dimension dimension(Unit unit) {
       return {"an energy", joule};
     case Unit::newton:
       return {"a force", newton};
+    case Unit::newton_metre:
+      return {"a torque", newton_metre};
     case Unit::hertz:
       return {"a frequency", hertz};
     case Unit::angular_speed:

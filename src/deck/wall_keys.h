@@ -62,6 +62,7 @@ struct WallDeck {
   WallType type = WallType::plane;
   std::string material;
   bool present = true;                        ///< false: a phase adds it
+  std::string moves_with;                     ///< the wall whose motions and servo move this one, too; empty: none
   std::vector<std::array<double, 2>> points;  ///< profile: (r, z) along the polyline
   Vec3 axis_origin{0.0, 0.0, 0.0};            ///< profile: where z = 0
   Vec3 axis_direction{0.0, 0.0, 1.0};         ///< profile
@@ -111,6 +112,8 @@ void describe(V& v, WallDeck& w) {
   const bool is_rectangle = w.type == WallType::rectangle;
   v("material", w.material, Unit::none, any_value, required, "name of its material");
   v("present", w.present, Unit::none, any_value, optional, "false: a phase adds it");
+  v("moves_with", w.moves_with, Unit::none, any_value, optional_else("none"),
+    "name of a wall whose [[wall.motion]] and [wall.servo] move this one, too, as one rigid body");
   v("points", w.points, Unit::metre, any_value, required.when(is_profile, "type = profile"),
     "polyline: r >= 0 from the axis, z along it");
   v("axis_origin", w.axis_origin, Unit::metre, any_value, optional.when(is_profile, "type = profile"),
@@ -129,7 +132,8 @@ void describe(V& v, WallDeck& w) {
     "other edge from the corner, perpendicular to edge_u");
   describe_mesh(v, w);
   v.sections("motion", w.motions, optional, "moves the wall; several are applied one after the other");
-  v.section("servo", w.servo, optional, "moves the wall so that it presses with a given force");
+  v.section("servo", w.servo, optional,
+            "moves the wall so that it presses with a given force, or turns with a given torque");
   v.section("heat", w.heat, optional, "what heat the wall gives the grains; without it the wall keeps all heat in");
 }
 

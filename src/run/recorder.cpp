@@ -109,7 +109,7 @@ void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
     for (const Watched& w : watches_) w.watch->vessel_opens(simulation);
   }
   if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
-  for (const Watched& w : watches_) w.watch->phase_begins(simulation);
+  for (const Watched& w : watches_) w.watch->phase_begins(simulation, phase.deck().name);
 }
 
 Recorder::Due Recorder::due_at(std::int64_t step, const Deck& deck) const {

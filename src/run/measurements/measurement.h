@@ -24,7 +24,7 @@ class Watch {
  public:
   virtual ~Watch() = default;
 
-  virtual void phase_begins(const Simulation&) {}
+  virtual void phase_begins(const Simulation&, const std::string& /*name*/) {}
   /// The first phase that removes a wall begins; the first of all when none does.
   virtual void vessel_opens(const Simulation&) {}
   /// Every run.check_every steps.

@@ -1,17 +1,15 @@
 #!/usr/bin/python3
 """Evaluates a uniaxial compression: porosity and modulus of the bed over the stress on its lid.
 
-Usage: tools/compression.py DIR [--lid NAME] [--floor Z] [--output DIR]
+Usage: tools/compression.py DIR [--output DIR]
 
-DIR is the output directory of a run whose lid is a wall with a [wall.servo]. Writes compression.csv (the course), compression.json
-(the unloadings with their moduli, and the exponent of modulus over stress) and compression.png, .pdf.
+DIR is the output directory of a run with [measurement.compression]. Writes compression.json (the unloadings with their moduli, and
+the exponent of modulus over stress) and compression.png, .pdf.
 """
 import argparse
 import json
 import os
 import sys
-
-import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "python"), os.path.join(HERE, "..", "python")]  # of the source, installed
@@ -21,10 +19,6 @@ from repose.compression import Compression  # noqa: E402
 
 
 def write(output, compression):
-    course = np.column_stack((compression.time_s, compression.stress, compression.strain, compression.height,
-                              compression.porosity))
-    np.savetxt(os.path.join(output, "compression.csv"), course, delimiter=",", fmt="%.9g", comments="",
-               header="time_s,stress_Pa,strain,height_m,porosity")
     with open(os.path.join(output, "compression.json"), "w") as file:
         json.dump({"unloadings": [{key: float(value) for key, value in compression.unloadings.row(k).items()}
                                   for k in range(compression.unloadings.rows)],
@@ -40,14 +34,11 @@ def write(output, compression):
 def main():
     arguments = argparse.ArgumentParser(description="porosity and modulus of a bed over the stress on its lid")
     arguments.add_argument("run", metavar="DIR", help="output directory of a run")
-    arguments.add_argument("--lid", metavar="NAME", help="the wall with a servo, when there are several")
-    arguments.add_argument("--floor", metavar="Z", type=float, default=0.0,
-                           help="where the bed's bottom is, against the lid's direction, m; default: 0")
     arguments.add_argument("--output", metavar="DIR", help="where to put the files; default: beside the run")
     chosen = arguments.parse_args()
     output = chosen.output or chosen.run
     try:
-        compression = Compression(repose.Run(chosen.run), chosen.lid, chosen.floor)
+        compression = Compression(repose.Run(chosen.run))
         os.makedirs(output, exist_ok=True)
         write(output, compression)
     except (repose.ReposeError, OSError) as error:

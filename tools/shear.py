@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Evaluates a shear box: shear stress over way, and the yield locus of runs at several normal stresses.
+"""Evaluates a shear cell: shear stress over way, and the yield locus of runs at several normal stresses.
 
-Usage: tools/shear.py DIR [DIR ...] [--phase NAME] [--plane Z] [--output DIR]
+Usage: tools/shear.py DIR [DIR ...] [--output DIR]
 
-Each DIR is the output directory of a run, as of input/direct_shear.toml with another wall.lid.servo.force. Writes shear.json and
-shear.png, .pdf to the first of them, or to the directory of --output.
+Each DIR is the output directory of a run with [measurement.shear], as of input/direct_shear.toml or input/ring_shear.toml with
+another wall.lid.servo.force. Writes shear.json and shear.png, .pdf to the first of them, or to the directory of --output.
 """
 import argparse
 import json
@@ -19,18 +19,16 @@ from repose.shear import Shear, yield_locus  # noqa: E402
 
 
 def main():
-    arguments = argparse.ArgumentParser(description="shear stress over way and yield locus of a shear box")
+    arguments = argparse.ArgumentParser(description="shear stress over way and yield locus of a shear cell")
     arguments.add_argument("runs", metavar="DIR", nargs="+", help="output directories of runs at several normal stresses")
-    arguments.add_argument("--phase", metavar="NAME", default="shear", help="in which half the box moves; default: shear")
-    arguments.add_argument("--plane", metavar="Z", type=float, default=0.0, help="height between the halves, m; default: 0")
     arguments.add_argument("--output", metavar="DIR", help="where to put the files; default: beside the first run")
     chosen = arguments.parse_args()
     output = chosen.output or chosen.runs[0]
     try:
-        tests = [Shear(repose.Run(run), chosen.phase, chosen.plane) for run in chosen.runs]
+        tests = [Shear(repose.Run(run)) for run in chosen.runs]
         os.makedirs(output, exist_ok=True)
         results = {"runs": [{"normal_Pa": t.steady_normal, "shear_Pa": t.steady_shear, "friction_deg": t.friction_deg,
-                             "peak_ratio": t.peak} for t in tests]}
+                             "peak_deg": t.peak_deg} for t in tests]}
         if len(tests) > 1:
             results["internal_friction_deg"], results["cohesion_Pa"] = yield_locus(tests)
         with open(os.path.join(output, "shear.json"), "w") as file:
@@ -43,7 +41,7 @@ def main():
         sys.exit(f"shear.py: {error}")
     for t in tests:
         print(f"normal {t.steady_normal:.4g} Pa, shear {t.steady_shear:.4g} Pa: {t.friction_deg:.2f} degrees, at the peak "
-              f"{t.peak:.3f} of the normal stress")
+              f"{t.peak_deg:.2f}")
     if len(tests) > 1:
         print(f"internal friction {results['internal_friction_deg']:.2f} degrees, cohesion {results['cohesion_Pa']:.3g} Pa")
 

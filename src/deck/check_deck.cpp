@@ -145,7 +145,36 @@ void check_retained_slope(const RetainedSlopeDeck& r, DeckErrors& errors) {
              fmt::format("\"fit_to\" = {} must be greater than \"fit_from\" = {}", r.fit_to, r.fit_from));
 }
 
+void check_shear(const ShearDeck& s, const Deck& deck, DeckErrors& errors) {
+  const std::string section = "measurement.shear";
+  for (const std::string& wall : s.walls) find_wall(section + ".walls", wall, deck, errors);
+  if (s.walls.empty()) errors.add(section + ".walls", "\"walls\" names none; name those of one half of the cell");
+  check_phase_names(section, {s.phase}, deck, errors);
+  if (s.type == ShearType::translation) {
+    check_direction(section, "direction", s.direction, errors);
+    if (s.direction.z != 0.0) errors.add(section + ".direction", "is not horizontal: the plane between the halves is");
+    return;
+  }
+  check_direction(section, "axis_direction", s.axis_direction, errors);
+  if (s.inner_radius >= s.outer_radius) {
+    errors.add(section + ".outer_radius",
+               fmt::format("\"outer_radius\" = {} must be greater than \"inner_radius\" = {}", s.outer_radius,
+                           s.inner_radius));
+  }
+}
+
+void check_compression(const CompressionDeck& c, const Deck& deck, DeckErrors& errors) {
+  const std::string section = "measurement.compression";
+  const WallDeck* lid = find_wall(section + ".lid", c.lid, deck, errors);
+  if (lid != nullptr && !(lid->servo.enabled && lid->servo.type == ServoType::translation)) {
+    errors.add(section + ".lid", fmt::format("wall \"{}\" has no [wall.servo] that presses", c.lid));
+  }
+  check_phase_names(section, {c.load_phase, c.unload_phase}, deck, errors);
+}
+
 void check_measurement(const Deck& deck, DeckErrors& errors) {
+  if (deck.shear.enabled) check_shear(deck.shear, deck, errors);
+  if (deck.compression.enabled) check_compression(deck.compression, deck, errors);
   if (deck.bulk_density.enabled) check_bulk_density(deck.bulk_density, deck.domain, errors);
   if (deck.retained_slope.enabled) check_retained_slope(deck.retained_slope, errors);
   if (deck.angle_of_repose.enabled) check_angle_of_repose(deck.angle_of_repose, errors);

@@ -1,4 +1,4 @@
-"""A bed under a lid with a servo: porosity and stiffness over stress."""
+"""A bed under a lid: porosity and stiffness over stress."""
 
 import math
 
@@ -8,29 +8,6 @@ from repose.files import ReposeError, Table
 
 LEAST_TURN = 0.06  # share of the stress by which it must turn back to count as a reversal
 FITTED = (0.02, 0.12)  # the part of an unloading, by what the stress has fallen since the reversal, that gives its modulus
-
-
-def lid_of(deck, name=None):
-    """The wall with a servo; by its name where there are several."""
-    lids = [wall for wall in deck.get("wall", []) if "servo" in wall and name in (None, wall["name"])]
-    if len(lids) != 1:
-        raise ReposeError(f"{len(lids)} walls have a [wall.servo]; name one of them" if name is None else
-                          f'there is no wall "{name}" with a [wall.servo]')
-    return lids[0]
-
-
-def area_of(lid):
-    """m2, of a disc or a rectangle."""
-    if lid["type"] == "disc":
-        return math.pi * lid["radius"] ** 2
-    if lid["type"] == "rectangle":
-        return float(np.linalg.norm(np.cross(lid["edge_u"], lid["edge_v"])))
-    raise ReposeError(f'the lid is a {lid["type"]}, which has no area of its own: give the area')
-
-
-def axis_of(lid):
-    direction = np.asarray(lid["servo"]["direction"], float)
-    return direction / np.linalg.norm(direction)
 
 
 def turning_points(stress):
@@ -49,35 +26,27 @@ def turning_points(stress):
 
 
 class Compression:
-    """What walls.csv of a run says of the bed below its lid, from the moment at which the lid carries `least` Pa on.
+    """What compression.csv of a run with [measurement.compression] says, from the moment at which the lid carries `least` Pa on.
 
-    stress, strain, porosity, time_s: arrays over the rows; unloadings: Table of `stress_Pa`, `modulus_Pa`, `porosity`, `time_s`,
-    `contacts` (of a grain with others) of every unloading, the last three as it begins; exponent, exponent_error: of the modulus
-    over the stress, by a straight line between the logarithms; hertz_exponent, hertz_exponent_error: the same of the modulus over
-    (solid share x contacts)^(2/3), which is 1/3 for Hertz's law where every contact bears alike (Walton 1987,
+    stress, strain, height, porosity, time_s: arrays over the samples; unloadings: Table of `stress_Pa`, `modulus_Pa`, `porosity`,
+    `time_s`, `contacts` (of a grain with others) of every unloading, the last three as it begins; exponent, exponent_error: of the
+    modulus over the stress, by a straight line between the logarithms; hertz_exponent, hertz_exponent_error: the same of the modulus
+    over (solid share x contacts)^(2/3), which is 1/3 for Hertz's law where every contact bears alike (Walton 1987,
     doi:10.1016/0022-5096(87)90036-6)."""
 
-    def __init__(self, run, lid=None, floor=0.0, area=None, least=None):
-        wall = lid_of(run.deck, lid)
-        axis, loads = axis_of(wall), run.walls
-        if loads is None or not run.snapshot_paths:
-            raise ReposeError(f"{run.directory}: has no walls.csv or no snapshot")
-        name = wall["name"]
-        force = -sum(axis[k] * loads[f"{name}_force_{'xyz'[k]}_N"] for k in range(3))
-        self.area = area or area_of(wall)
-        stress = force / self.area
-        place = wall["centre"] if wall["type"] == "disc" else wall.get("corner", wall.get("point"))
-        height = -float(np.dot(axis, place)) - floor - loads[f"{name}_way_m"]
+    def __init__(self, run, least=None):
+        samples = run.compression
+        if samples is None:
+            raise ReposeError(f"{run.directory}: has no compression.csv: its deck has no [measurement.compression]")
         if least is None:
-            least = 0.02 * stress.max()
-        loaded = np.flatnonzero(stress >= least)
+            least = 0.02 * samples["stress_Pa"].max()
+        loaded = np.flatnonzero(samples["stress_Pa"] >= least)
         if len(loaded) < 10:
-            raise ReposeError(f'{run.directory}: the lid "{name}" carries {least:.3g} Pa in {len(loaded)} rows only')
+            raise ReposeError(f"{run.directory}: the lid carries {least:.3g} Pa in {len(loaded)} samples only")
         rows = slice(loaded[0], loaded[-1] + 1)
-        self.stress, self.height, self.time_s = stress[rows], height[rows], loads["time_s"][rows]
+        self.stress, self.height, self.porosity, self.time_s = (
+            samples[name][rows] for name in ("stress_Pa", "height_m", "porosity", "time_s"))
         self.strain = -np.log(self.height / self.height[0])
-        solid = 4.0 / 3.0 * math.pi * float((run.snapshots[-1].radius ** 3).sum())
-        self.porosity = 1.0 - solid / (self.area * self.height)
         self.unloadings = self._unloadings(run.series)
         modulus = self.unloadings["modulus_Pa"]
         self.exponent, self.exponent_error = self._exponent(modulus)

@@ -113,6 +113,17 @@ class Run:
         return self._table("surface_angle.csv")
 
     @property
+    def shear(self):
+        """shear.csv: `shear_stress_Pa` and `normal_stress_Pa` in the plane of a shear cell over `shear_time_s`, the time since its
+        phase began; None when it was not asked for."""
+        return self._table("shear.csv")
+
+    @property
+    def compression(self):
+        """compression.csv: `stress_Pa`, `height_m` and `porosity` of a bed under a lid over `time_s`; None when it was not asked for."""
+        return self._table("compression.csv")
+
+    @property
     def trace(self):
         """trace.csv: every particle every few steps, for small cases; None when it was not asked for."""
         return self._table("trace.csv")

@@ -1,64 +1,69 @@
-"""A shear box whose moving half is a set of walls on a translation: shear stress over way, yield locus."""
+"""A shear cell, straight or round: shear stress over the way of the half that moves, yield locus."""
 
 import math
 
 import numpy as np
 
-from repose.compression import area_of, lid_of
 from repose.files import ReposeError
 
-STEADY = 0.5  # the last part of the way that gives the steady stresses
 
-
-def moving_walls(deck, phase):
-    """Names and velocity (m/s) of the walls that are moved in a phase."""
-    names, velocity = [], None
+def speed_of_halves(deck):
+    """m/s, at which the halves of the cell of [measurement.shear] move past each other; of a ring, at its mean radius."""
+    cell = deck["measurement"]["shear"]
     for wall in deck["wall"]:
         for motion in wall.get("motion", []):
-            if motion["type"] == "translation" and phase in motion.get("phases", [phase]):
-                names.append(wall["name"])
-                velocity = np.asarray(motion["velocity"], float)
-    if not names or not np.linalg.norm(velocity) > 0.0:
-        raise ReposeError(f'no wall is moved in the phase "{phase}"')
-    return names, velocity
+            if motion["type"] == cell["type"] and cell["phase"] in (motion.get("phases") or [cell["phase"]]):
+                if cell["type"] == "translation":
+                    return float(np.linalg.norm(motion["velocity"]))
+                inner, outer = cell["inner_radius"], cell["outer_radius"]
+                return abs(motion["angular_velocity"]) * 2.0 / 3.0 * (outer**3 - inner**3) / (outer**2 - inner**2)
+    raise ReposeError(f'no wall moves by {cell["type"]} in the phase "{cell["phase"]}"')
 
 
 class Shear:
-    """Stresses in the plane between the halves, at the height `plane` (m), from what the grains do to the moving one below it.
+    """What [measurement.shear] of a run has found.
 
-    way (m), shear, normal (Pa): arrays over the rows of the phase; steady_shear, steady_normal: means over the last half of
-    the way; peak: greatest ratio of the two, over a tenth of the diameter."""
+    way (m), shear, normal (Pa): arrays over the samples of shear.csv; steady_shear, steady_normal, friction_deg, peak_deg: from
+    summary.json."""
 
-    def __init__(self, run, phase="shear", plane=0.0):
-        names, velocity = moving_walls(run.deck, phase)
-        phases = [section["name"] for section in run.deck["phase"]]
-        loads, series = run.walls, run.series
-        if loads is None or not run.snapshot_paths or phase not in phases:
-            raise ReposeError(f'{run.directory}: has no walls.csv, no snapshot or no phase "{phase}"')
-        rows = series["phase"] == phases.index(phase)
-        snapshot = run.snapshots[-1]
-        gravity = float(np.linalg.norm(run.deck["gravity"]))
-        weight = gravity * float(snapshot["mass"][snapshot.position[:, 2] < plane].sum())
-        along = velocity / np.linalg.norm(velocity)
-        total = [sum(loads[f"{name}_force_{axis}_N"] for name in names)[rows] for axis in "xyz"]
-        self.area = area_of(lid_of(run.deck))
-        self.way = (loads["time_s"][rows] - loads["time_s"][rows][0]) * float(np.linalg.norm(velocity))
-        self.shear = -sum(along[k] * total[k] for k in range(3)) / self.area
-        self.normal = (-total[2] - weight) / self.area
-        last = self.way >= (1.0 - STEADY) * self.way[-1]
-        self.steady_shear, self.steady_normal = float(self.shear[last].mean()), float(self.normal[last].mean())
-        width = max(1, int(np.searchsorted(self.way, 0.2 * float(snapshot.radius.mean()))))
-        ratio = np.convolve(self.shear / self.normal, np.full(width, 1.0 / width), "valid")
-        self.peak = float(ratio.max())
-
-    @property
-    def friction_deg(self):
-        """The angle whose tangent is the steady shear stress over the normal one."""
-        return math.degrees(math.atan2(self.steady_shear, self.steady_normal))
+    def __init__(self, run):
+        samples, summary = run.shear, run.summary
+        if samples is None or summary.get("internal_friction_deg") is None:
+            raise ReposeError(f"{run.directory}: has no shear stresses: its deck has no [measurement.shear], or too short a phase")
+        self.way = samples["shear_time_s"] * speed_of_halves(run.deck)
+        self.shear, self.normal = np.abs(samples["shear_stress_Pa"]), samples["normal_stress_Pa"]
+        self.steady_shear, self.steady_normal = summary["shear_stress_Pa"], summary["normal_stress_Pa"]
+        self.friction_deg, self.peak_deg = summary["internal_friction_deg"], summary["internal_friction_peak_deg"]
 
 
 def yield_locus(runs):
     """(angle of internal friction in degrees, cohesion in Pa) of the line through the steady stresses of several `Shear`."""
-    normal, shear = np.array([[run.steady_normal, run.steady_shear] for run in runs]).T
-    slope, offset = np.polyfit(normal, shear, 1)
+    return line_through([[run.steady_normal, run.steady_shear] for run in runs])
+
+
+def line_through(points):
+    """(angle in degrees, offset) of the line through points (normal, shear stress), by least squares."""
+    slope, offset = np.polyfit(*np.transpose(points), 1)
     return math.degrees(math.atan(slope)), float(offset)
+
+
+def flow_properties(points, consolidation):
+    """What a yield locus through points (normal, shear stress) of failure says of beds that were consolidated at the steady stresses
+    `consolidation` (normal, shear), in Pa (Jenike 1964, Bulletin 123 of the Utah Engineering Experiment Station; ASTM D6773):
+
+    internal_friction_deg, cohesion_Pa; unconfined_yield_strength_Pa: of Mohr's circle through zero that touches the locus;
+    major_consolidation_stress_Pa, effective_internal_friction_deg: of the one through the point of consolidation that touches it
+    at no greater normal stress; flowability: the ratio of the two stresses, None without strength."""
+    angle, cohesion = line_through(points)
+    normal, shear = consolidation
+    sine, cosine = math.sin(math.radians(angle)), math.cos(math.radians(angle))
+    # of a circle with its centre at m: (m - normal)^2 + shear^2 = (cohesion cosine + m sine)^2
+    half = (normal + cohesion * sine * cosine) / cosine**2
+    rest = (normal**2 + shear**2 - (cohesion * cosine) ** 2) / cosine**2
+    centre = half - math.sqrt(max(0.0, half**2 - rest))  # 0: the point lies on the locus or above
+    radius = math.hypot(centre - normal, shear)
+    strength = 2.0 * cohesion * cosine / (1.0 - sine)
+    return {"internal_friction_deg": angle, "cohesion_Pa": cohesion, "unconfined_yield_strength_Pa": strength,
+            "major_consolidation_stress_Pa": centre + radius,
+            "effective_internal_friction_deg": math.degrees(math.asin(min(1.0, radius / centre))),
+            "flowability": (centre + radius) / strength if strength > 0.0 else None}

@@ -1,4 +1,4 @@
-"""A shear box."""
+"""A shear cell."""
 
 import numpy as np
 

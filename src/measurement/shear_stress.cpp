@@ -1,0 +1,35 @@
+#include "measurement/shear_stress.h"
+
+#include <cmath>
+
+#include "base/math.h"
+#include "scene/walls/unit_vector.h"
+
+namespace repose {
+namespace {
+
+/// N, with which the plane would have to be pulled at a lever of the mean radius.
+double shear_force(const ShearDeck& deck, const WallLoad& load) {
+  if (deck.type == ShearType::translation) return dot(unit_vector(deck.direction), load.force);
+  const double inner = deck.inner_radius, outer = deck.outer_radius;
+  const double mean_radius =
+      2.0 / 3.0 * (outer * outer * outer - inner * inner * inner) / (outer * outer - inner * inner);
+  const Vec3 torque = load.torque - cross(deck.axis_origin, load.force);
+  return dot(unit_vector(deck.axis_direction), torque) / mean_radius;
+}
+
+}  // namespace
+
+double shear_area(const ShearDeck& deck) {
+  if (deck.type == ShearType::translation) return deck.area;
+  return pi * (deck.outer_radius * deck.outer_radius - deck.inner_radius * deck.inner_radius);
+}
+
+ShearStress shear_stress(const ShearDeck& deck, const WallLoad& load, double weight_below, double weight_above) {
+  const double area = shear_area(deck);
+  const bool is_below = load.force.z < 0.0;
+  const double normal = is_below ? -load.force.z - weight_below : load.force.z + weight_above;
+  return {shear_force(deck, load) / area, normal / area};
+}
+
+}  // namespace repose

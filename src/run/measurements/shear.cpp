@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "base/math.h"
+#include "comm/agreement.h"
+#include "measurement/discharged_mass.h"
+#include "measurement/shear_stress.h"
+#include "run/measurements/measurement.h"
+#include "run/measurements/phase_samples.h"
+
+namespace repose {
+namespace {
+
+constexpr const char* series_file = "shear.csv";
+constexpr double peak_share = 0.1;  // of the time before the stresses are steady, over which a peak is a mean
+
+double ratio_in_degrees(double shear, double normal) { return std::atan2(std::fabs(shear), normal) * 180.0 / pi; }
+
+/// The stresses in the plane of a shear cell over time (shear.csv), the ratio of their means when they are steady and
+/// the greatest ratio of means over a tenth of the time before.
+class ShearWatch : public Watch {
+ public:
+  ShearWatch(const Simulation& simulation, const SeriesFolder& folder)
+      : deck_(simulation.deck().shear), samples_(deck_.phase, deck_.interval, simulation.time_step().step) {
+    agree_after_root(simulation.comm(), [&] {
+      series_ = std::make_unique<TimeSeries>(
+          folder.directory + "/" + series_file,
+          std::vector<std::string>{"step", "time_s", "shear_time_s", "shear_stress_Pa", "normal_stress_Pa"},
+          folder.existing);
+    });
+  }
+
+  void phase_begins(const Simulation& simulation, const std::string& name) override {
+    samples_.phase_begins(name, simulation.steps());
+  }
+  bool is_due(std::int64_t step) const override { return samples_.is_due(step); }
+
+  void sample(const Simulation& simulation) override {
+    const double gravity = norm(simulation.scene().gravity());
+    const auto weight_below = [&](double height) {
+      return gravity * discharged_mass(simulation.comm(), height, simulation.materials(), simulation.mass_unit(),
+                                       simulation.particles(), {});
+    };
+    const double below = weight_below(deck_.plane_height);
+    const double above = weight_below(std::numeric_limits<double>::infinity()) - below;
+    const ShearStress stress = shear_stress(deck_, load_of(simulation, deck_.walls), below, above);
+    agree_after_root(simulation.comm(), [&] {
+      const double time = static_cast<double>(simulation.steps() - samples_.first_step()) * simulation.time_step().step;
+      time_.push_back(time);
+      shear_.push_back(stress.shear);
+      normal_.push_back(stress.normal);
+      series_->append(
+          std::vector<TimeSeries::Value>{simulation.steps(), simulation.time(), time, stress.shear, stress.normal});
+    });
+  }
+
+  void finish(const Simulation&, const ReadFile&, Figures& figures) override {
+    const auto steady =
+        static_cast<std::size_t>(std::lower_bound(time_.begin(), time_.end(), deck_.from) - time_.begin());
+    if (steady == time_.size()) return;
+    const ShearStress mean = mean_of(steady, time_.size());
+    figures["shear_stress_Pa"] = std::fabs(mean.shear);
+    figures["normal_stress_Pa"] = mean.normal;
+    figures["internal_friction_deg"] = ratio_in_degrees(mean.shear, mean.normal);
+    const std::size_t width =
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::rint(peak_share * deck_.from / deck_.interval)));
+    double peak = 0.0;
+    for (std::size_t first = 0; first + width <= time_.size(); ++first) {
+      const ShearStress here = mean_of(first, first + width);
+      peak = std::max(peak, ratio_in_degrees(here.shear, here.normal));
+    }
+    figures["internal_friction_peak_deg"] = peak;
+  }
+
+  void sync() override { series_->sync(); }
+  void visit_state(StateWriter& v) const override { visit(*this, v); }
+  void visit_state(StateReader& v) override { visit(*this, v); }
+
+ private:
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor& v) {
+    v("samples", self.samples_);
+    v("time", self.time_);
+    v("shear", self.shear_);
+    v("normal", self.normal_);
+    if (self.series_) v("series", *self.series_);
+  }
+
+  ShearStress mean_of(std::size_t first, std::size_t end) const {
+    ShearStress mean;
+    for (std::size_t k = first; k < end; ++k) {
+      mean.shear += shear_[k] / static_cast<double>(end - first);
+      mean.normal += normal_[k] / static_cast<double>(end - first);
+    }
+    return mean;
+  }
+
+  ShearDeck deck_;
+  PhaseSamples samples_;
+  std::unique_ptr<TimeSeries> series_;         ///< rank 0
+  std::vector<double> time_, shear_, normal_;  ///< rank 0: s since the phase began, Pa
+};
+
+std::string lines(const Figures& figures) {
+  const auto angle = number_in(figures, "internal_friction_deg");
+  if (!angle) return {};
+  return fmt::format("internal friction {:.4g} degrees, {:.4g} at the peak, under {:.4g} Pa\n", *angle,
+                     *number_in(figures, "internal_friction_peak_deg"), *number_in(figures, "normal_stress_Pa"));
+}
+
+}  // namespace
+
+MeasurementKind shear_measurement() {
+  return {.section = "measurement.shear",
+          .is_enabled = [](const Deck& deck) { return deck.shear.enabled; },
+          .figures = {{.key = "internal_friction_deg"},
+                      {.key = "internal_friction_peak_deg"},
+                      {.key = "shear_stress_Pa"},
+                      {.key = "normal_stress_Pa"}},
+          .files = {series_file},
+          .watch = [](const Simulation& simulation, const SeriesFolder& folder) -> std::unique_ptr<Watch> {
+            return std::make_unique<ShearWatch>(simulation, folder);
+          },
+          .lines = lines};
+}
+
+}  // namespace repose

@@ -508,5 +508,33 @@ TEST(DeckErrors, ServosAndPhasesThatWaitForThem) {
             std::string::npos);
 }
 
+TEST(DeckErrors, ShearCellsAndBedsUnderLids) {
+  const auto says = [](const std::vector<std::string>& overrides, const std::string& words) {
+    EXPECT_NE(message_of(example_deck, overrides).find(words), std::string::npos)
+        << message_of(example_deck, overrides);
+  };
+  const auto cell = [](const std::string& keys) {
+    return std::vector<std::string>{"measurement.shear={plane_height=0, phase='flow', " + keys + "}"};
+  };
+  const std::string box = "walls=['floor'], area='1 cm2', direction=";
+  EXPECT_EQ(message_of(example_deck, cell(box + "[0,1,0]")), "no error");
+  EXPECT_EQ(message_of(example_deck, cell("walls=['floor'], type='rotation', outer_radius=0.1")), "no error");
+  says(cell(box + "[0,1,1]"), "is not horizontal");
+  says(cell(box + "[0,0,0]"), "it needs a direction");
+  says(cell("walls=['flor'], area=1, direction=[1,0,0]"), "unknown wall \"flor\"; the nearest is \"floor\"");
+  says(cell("walls=[], area=1, direction=[1,0,0]"), "names none");
+  says(cell("walls=['floor'], area=1, direction=[1,0,0], inner_radius=1"), "only allowed with type = rotation");
+  says(cell("walls=['floor'], type='rotation', outer_radius=0.1, inner_radius=0.1"), "must be greater than");
+  says({"measurement.shear={walls=['floor'], area=1, direction=[1,0,0], plane_height=0, phase='flw'}"},
+       "unknown phase \"flw\"; the nearest is \"flow\"");
+  const std::string lid = "wall.0.servo={direction=[0,0,-1], force=1, max_speed=0.1, max_way=1}";
+  const auto bed = [](const std::string& phases) {
+    return "measurement.compression={lid='floor', area='1 cm2', height=0.1, " + phases + "}";
+  };
+  EXPECT_EQ(message_of(example_deck, {lid, bed("load_phase='settle', unload_phase='flow'")}), "no error");
+  says({bed("load_phase='settle', unload_phase='flow'")}, "wall \"floor\" has no [wall.servo] that presses");
+  says({lid, bed("load_phase='settle', unload_phase='flw'")}, "unknown phase \"flw\"");
+}
+
 }  // namespace
 }  // namespace repose

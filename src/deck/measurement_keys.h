@@ -198,10 +198,10 @@ struct ShearDeck {
 
 template <class V>
 void describe(V& v, ShearDeck& s) {
+  v("type", s.type, Unit::none, any_value, optional, "translation: a box; rotation: a ring");
   const bool turns = s.type == ShearType::rotation;
   const Presence needed_along = required.when(!turns, "type = translation");
   const Presence optional_about = optional.when(turns, "type = rotation");
-  v("type", s.type, Unit::none, any_value, optional, "translation: a box; rotation: a ring");
   v("walls", s.walls, Unit::none, any_value, required, "names of the walls of one half, whose loads give the stresses");
   v("direction", s.direction, Unit::none, any_value, needed_along,
     "horizontal, in which the halves move past each other, of any length");

@@ -40,10 +40,10 @@ struct ServoDeck {
 
 template <class V>
 void describe(V& v, ServoDeck& s) {
+  v("type", s.type, Unit::none, any_value, optional, "translation: it presses; rotation: it turns");
   const bool turns = s.type == ServoType::rotation;
   const Presence needed_along = required.when(!turns, "type = translation");
   const Presence needed_about = required.when(turns, "type = rotation");
-  v("type", s.type, Unit::none, any_value, optional, "translation: it presses; rotation: it turns");
   v("direction", s.direction, Unit::none, any_value, needed_along, "in which the wall presses, of any length");
   v("force", s.force, Unit::newton, above(0), needed_along, "with which it is to press on the grains, along direction");
   v("max_speed", s.max_speed, Unit::speed, above(0), needed_along, "greatest speed along direction, either way");

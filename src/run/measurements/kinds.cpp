@@ -12,7 +12,8 @@ const std::vector<MeasurementKind>& measurement_kinds() {
       scattering_measurement(),     tilt_onset_measurement(),
       surface_angle_measurement(),  bulk_density_measurement(),
       retained_slope_measurement(), heat_measurement(),
-      servo_measurement(),
+      servo_measurement(),          flow_energy_measurement(),
+      tilting_box_measurement(),
   };
   return kinds;
 }

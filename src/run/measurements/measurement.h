@@ -113,6 +113,8 @@ MeasurementKind bulk_density_measurement();
 MeasurementKind retained_slope_measurement();
 MeasurementKind heat_measurement();
 MeasurementKind servo_measurement();
+MeasurementKind flow_energy_measurement();
+MeasurementKind tilting_box_measurement();
 
 struct GatheredGrains {
   std::vector<Sphere> spheres;

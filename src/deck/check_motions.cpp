@@ -54,6 +54,29 @@ void check_tilt_onset(const Deck& deck, DeckErrors& errors) {
              fmt::format("unknown material \"{}\"; the nearest is \"{}\"", against, nearest(against, materials)));
 }
 
+/// That a wall of the blade moves, and how is measured.
+void check_blade_wall(const std::string& key, const WallDeck& wall, DeckErrors& errors) {
+  if (wall.motions.empty() && !wall.servo.enabled && wall.moves_with.empty()) {
+    errors.add(key, fmt::format("wall \"{}\" has no [[wall.motion]]: it does no work", wall.name));
+  }
+  if (std::any_of(wall.motions.begin(), wall.motions.end(),
+                  [](const MotionDeck& motion) { return motion.type == MotionType::conveyor; })) {
+    errors.add(key, fmt::format("wall \"{}\" is a conveyor, whose work is not measured; name walls that move "
+                                "themselves",
+                                wall.name));
+  }
+}
+
+void check_flow_energy(const FlowEnergyDeck& f, const Deck& deck, DeckErrors& errors) {
+  const std::string section = "measurement.flow_energy";
+  if (f.walls.empty()) errors.add(section + ".walls", "\"walls\" names none; name those of the blade");
+  for (std::size_t k = 0; k < f.walls.size(); ++k) {
+    const std::string key = fmt::format("{}.walls.{}", section, k);
+    if (const WallDeck* wall = find_wall(key, f.walls[k], deck, errors)) check_blade_wall(key, *wall, errors);
+  }
+  check_phase_names(section, {f.phase}, deck, errors);
+}
+
 }  // namespace
 
 void check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
@@ -94,12 +117,19 @@ void check_motions(const Deck& deck, DeckErrors& errors) {
     check_phase_names("tilt", deck.tilt.phases, deck, errors);
   }
   if (deck.tilt_onset.enabled) check_tilt_onset(deck, errors);
+  if (deck.flow_energy.enabled) check_flow_energy(deck.flow_energy, deck, errors);
   if (deck.surface_angle.enabled) {
     check_direction("measurement.surface_angle", "axis_direction", deck.surface_angle.axis_direction, errors);
+    if (deck.tilt.enabled && cross(deck.surface_angle.axis_direction, deck.tilt.axis_direction) != Vec3{}) {
+      errors.add("measurement.surface_angle.axis_direction",
+                 "is not along the axis of the [tilt], about which the slope of the bed changes");
+    }
   }
   for (std::size_t i = 0; i < deck.phases.size(); ++i) {
     if (deck.phases[i].until != PhaseUntil::tilt_onset || deck.tilt_onset.enabled) continue;
-    errors.add(fmt::format("phase.{}.until", i), "\"until\" = tilt_onset needs [measurement.tilt_onset]");
+    if (deck.tilt.enabled && deck.surface_angle.enabled) continue;
+    errors.add(fmt::format("phase.{}.until", i),
+               "\"until\" = tilt_onset needs [measurement.tilt_onset], or a [tilt] and [measurement.surface_angle]");
   }
 }
 

@@ -42,6 +42,8 @@ std::vector<WallLoad> measure_wall_loads(const Communicator& comm, VectorLevel l
                                          const MaterialTable& materials, const Particles& particles,
                                          const WallContacts& wall_contacts) {
   constexpr double no_bound = std::numeric_limits<double>::infinity();
+  // A spring that slides is at Coulomb's limit, and has no dashpot once it has gone on beyond it, by however little.
+  constexpr double moment = 1e-12;  // s
   std::vector<WallContact> contacts = wall_contacts.contacts(walls, particles);
   BigVector<ForceSum> sums(particles.record.size());
   std::vector<WallLoad> loads;
@@ -49,7 +51,7 @@ std::vector<WallLoad> measure_wall_loads(const Communicator& comm, VectorLevel l
     Contributions load;
     const auto chosen = contacts_with(static_cast<std::int32_t>(w), contacts, particles, materials.size());
     for (std::size_t m = 0; m < chosen.size(); ++m) {
-      const WallLaw law = wall_law(materials, static_cast<std::int32_t>(m), walls[w], 0.0, no_bound);
+      const WallLaw law = wall_law(materials, static_cast<std::int32_t>(m), walls[w], moment, no_bound);
       evaluate_walls(level, law, contacts, chosen[m], particles.record.data(), sums.data());
       for (const std::int32_t k : chosen[m]) {
         const auto i = static_cast<std::size_t>(contacts[static_cast<std::size_t>(k)].particle);

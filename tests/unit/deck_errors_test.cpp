@@ -536,5 +536,35 @@ TEST(DeckErrors, ShearCellsAndBedsUnderLids) {
   says({lid, bed("load_phase='settle', unload_phase='flw'")}, "unknown phase \"flw\"");
 }
 
+TEST(DeckErrors, FlowEnergyNeedsWallsThatMove) {
+  const auto message = [](const std::string& walls, const std::string& phase,
+                          const std::vector<std::string>& overrides = {}) {
+    return message_of(
+        std::string(example_deck) + "[measurement.flow_energy]\nwalls = " + walls + "\nphase = \"" + phase + "\"\n",
+        overrides);
+  };
+  const std::string turns = "wall.1.motion=[{type='rotation', angular_velocity=1}]";
+  EXPECT_EQ(message("[\"tube\"]", "flow", {turns}), "no error");
+  EXPECT_EQ(message("[\"tube\"]", "flow"), "deck.toml:82:10: wall \"tube\" has no [[wall.motion]]: it does no work");
+  EXPECT_EQ(message("[\"tub\"]", "flow"), "deck.toml:82:10: unknown wall \"tub\"; the nearest is \"tube\"");
+  EXPECT_EQ(message("[]", "flow"), "deck.toml:82:9: \"walls\" names none; name those of the blade");
+  EXPECT_EQ(message("[\"tube\"]", "flo", {turns}), "deck.toml:81:1: unknown phase \"flo\"; the nearest is \"flow\"");
+  EXPECT_EQ(message("[\"tube\"]", "flow", {"wall.1.motion=[{type='conveyor', velocity=[1, 0, 0]}]"}),
+            "deck.toml:82:10: wall \"tube\" is a conveyor, whose work is not measured; name walls that move "
+            "themselves");
+}
+
+TEST(DeckErrors, TiltingBox) {
+  const std::string deck = with("until = \"time\"\ntime = 1\n", "until = \"tilt_onset\"\nmax_time = 1\n") +
+                           "[tilt]\nangular_velocity = 1\naxis_direction = [0, -2, 0]\n";
+  const std::string surface = "[measurement.surface_angle]\nradius = 0.02\n";
+  EXPECT_EQ(message_of(deck + surface), "no error");
+  EXPECT_EQ(message_of(deck),
+            "deck.toml:72:9: \"until\" = tilt_onset needs [measurement.tilt_onset], or a [tilt] and "
+            "[measurement.surface_angle]");
+  EXPECT_EQ(message_of(deck + surface + "axis_direction = [1, 0, 0]\n"),
+            "deck.toml:86:18: is not along the axis of the [tilt], about which the slope of the bed changes");
+}
+
 }  // namespace
 }  // namespace repose

@@ -1,9 +1,10 @@
-// Slope of a bed in a drum, and the extrapolated onset of motion.
+// Slope of a bed in a drum, the avalanche that ends its rise, and the extrapolated onset of motion.
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "base/math.h"
+#include "measurement/avalanche.h"
 #include "measurement/surface_angle.h"
 #include "measurement/tilt_onset.h"
 
@@ -61,6 +62,24 @@ TEST(SurfaceAngle, NoneWithoutABedOrWithoutGravityAcross) {
 TEST(TiltOnset, ExtrapolatesAwayWhatGrowsWithTheRateToTwoThirds) {
   const auto seen = [](double rate) { return 0.127 + 0.02 * std::pow(rate, 2.0 / 3.0); };
   EXPECT_NEAR(extrapolated_onset(seen(0.3), seen(0.15), 0.5), 0.127, 1e-15);
+}
+
+TEST(Avalanche, IsTheFirstFallOfTheSlopeByMoreThanADegree) {
+  constexpr double degree = pi / 180.0;
+  Avalanche avalanche;
+  for (int k = 0; k <= 30;
+       ++k) {  // the bed creeps, and a grain that gives way makes the surface less steep for a while
+    const double tilt = 1.0 * k;
+    avalanche.add((tilt - 0.02 * k - (k == 20 ? 1.9 : 0.0)) * degree, tilt * degree);
+    EXPECT_FALSE(avalanche.seen()) << k;
+  }
+  avalanche.add(28.6 * degree, 31.0 * degree);
+  EXPECT_FALSE(avalanche.seen());
+  avalanche.add(28.3 * degree, 31.1 * degree);
+  EXPECT_TRUE(avalanche.seen());
+  avalanche.add(35.0 * degree, 40.0 * degree);  // a later one does not count
+  EXPECT_NEAR(avalanche.slope() / degree, 29.4, 1e-12);
+  EXPECT_NEAR(avalanche.tilt() / degree, 30.0, 1e-12);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ const std::vector<MeasurementKind>& measurement_kinds() {
       surface_angle_measurement(),  bulk_density_measurement(),
       retained_slope_measurement(), heat_measurement(),
       servo_measurement(),          shear_measurement(),
-      compression_measurement(),
+      compression_measurement(),    flow_energy_measurement(),
+      tilting_box_measurement(),
   };
   return kinds;
 }

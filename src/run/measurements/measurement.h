@@ -115,6 +115,8 @@ MeasurementKind heat_measurement();
 MeasurementKind servo_measurement();
 MeasurementKind shear_measurement();
 MeasurementKind compression_measurement();
+MeasurementKind flow_energy_measurement();
+MeasurementKind tilting_box_measurement();
 
 struct GatheredGrains {
   std::vector<Sphere> spheres;

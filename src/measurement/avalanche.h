@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/math.h"
+
+namespace repose {
+
+/// Looks for the first avalanche on the surface of a bed that becomes steeper: that its slope falls.
+class Avalanche {
+ public:
+  static constexpr double fall = pi / 180.0;  ///< rad, of the slope, that is an avalanche and no grain that gave way
+
+  /// To be called at regular intervals with the slope of the surface and the tilt of the vessel, both in rad from the
+  /// horizontal and not below 0. Does nothing once an avalanche has been seen.
+  void add(double slope, double tilt) {
+    if (seen_) return;
+    if (slope > slope_) {
+      slope_ = slope;
+      tilt_ = tilt;
+    }
+    seen_ = slope < slope_ - fall;
+  }
+
+  bool seen() const { return seen_; }
+  double slope() const { return slope_; }  ///< rad, the greatest, before the avalanche
+  double tilt() const { return tilt_; }    ///< rad, at that time
+
+  template <class Self, class Visitor>
+  static void describe_state(Self& self, Visitor& v) {
+    v("slope", self.slope_);
+    v("tilt", self.tilt_);
+    v("seen", self.seen_);
+  }
+
+ private:
+  double slope_ = 0.0;
+  double tilt_ = 0.0;
+  bool seen_ = false;
+};
+
+}  // namespace repose

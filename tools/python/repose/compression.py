@@ -11,11 +11,12 @@ FITTED = (0.02, 0.12)  # the part of an unloading, by what the stress has fallen
 
 
 def lid_of(deck, name=None):
-    """The wall with a servo; by its name where there are several."""
-    lids = [wall for wall in deck.get("wall", []) if "servo" in wall and name in (None, wall["name"])]
+    """The wall with a servo that presses; by its name where there are several."""
+    lids = [wall for wall in deck.get("wall", []) if name in (None, wall["name"]) and
+            "servo" in wall and wall["servo"].get("type", "translation") == "translation"]
     if len(lids) != 1:
-        raise ReposeError(f"{len(lids)} walls have a [wall.servo]; name one of them" if name is None else
-                          f'there is no wall "{name}" with a [wall.servo]')
+        raise ReposeError(f"{len(lids)} walls have a [wall.servo] that presses; name one of them" if name is None else
+                          f'there is no wall "{name}" with a [wall.servo] that presses')
     return lids[0]
 
 
@@ -26,6 +27,11 @@ def area_of(lid):
     if lid["type"] == "rectangle":
         return float(np.linalg.norm(np.cross(lid["edge_u"], lid["edge_v"])))
     raise ReposeError(f'the lid is a {lid["type"]}, which has no area of its own: give the area')
+
+
+def body_of(deck, names):
+    """The walls of these names, and behind them those that move with one of them."""
+    return names + [wall["name"] for wall in deck["wall"] if wall.get("moves_with") in names]
 
 
 def axis_of(lid):
@@ -63,7 +69,7 @@ class Compression:
         if loads is None or not run.snapshot_paths:
             raise ReposeError(f"{run.directory}: has no walls.csv or no snapshot")
         name = wall["name"]
-        force = -sum(axis[k] * loads[f"{name}_force_{'xyz'[k]}_N"] for k in range(3))
+        force = -sum(axis[k] * loads[f"{one}_force_{'xyz'[k]}_N"] for one in body_of(run.deck, [name]) for k in range(3))
         self.area = area or area_of(wall)
         stress = force / self.area
         place = wall["centre"] if wall["type"] == "disc" else wall.get("corner", wall.get("point"))

@@ -1,10 +1,10 @@
-"""A shear box whose moving half is a set of walls on a translation: shear stress over way, yield locus."""
+"""A shear box whose moving half is a set of walls on a translation, or that move with one: shear stress over way, yield locus."""
 
 import math
 
 import numpy as np
 
-from repose.compression import area_of, lid_of
+from repose.compression import area_of, body_of, lid_of
 from repose.files import ReposeError
 
 STEADY = 0.5  # the last part of the way that gives the steady stresses
@@ -20,7 +20,7 @@ def moving_walls(deck, phase):
                 velocity = np.asarray(motion["velocity"], float)
     if not names or not np.linalg.norm(velocity) > 0.0:
         raise ReposeError(f'no wall is moved in the phase "{phase}"')
-    return names, velocity
+    return body_of(deck, names), velocity
 
 
 class Shear:

@@ -21,7 +21,8 @@ void check_phases(const Deck& deck, DeckErrors& errors);
 /// Axes and phases of motions and of the tilt, and what the measurements of both need (a part of check_deck).
 void check_motions(const Deck& deck, DeckErrors& errors);
 
-/// Axes, limits and phases of walls under load, and the phases that wait for them (a part of check_deck).
+/// Axes, limits and phases of walls under load, walls that move with others, and the phases that wait for either (a
+/// part of check_deck).
 void check_servos(const Deck& deck, DeckErrors& errors);
 
 /// That phases that are named are there (a part of check_deck).

@@ -8,18 +8,64 @@
 namespace repose {
 namespace {
 
-void check_servo(const std::string& section, const ServoDeck& servo, const Deck& deck, DeckErrors& errors) {
+std::string name_of(Axis axis) { return std::string(enumerators(Axis{})[static_cast<std::size_t>(axis)]); }
+
+void check_way(const std::string& section, const ServoDeck& servo, const Deck& deck, DeckErrors& errors) {
   check_direction(section, "direction", servo.direction, errors);
   for (const Axis periodic : deck.domain.periodic) {
     if (servo.direction.*component(periodic) == 0.0) continue;
-    errors.add(section + ".direction", fmt::format("leads along the periodic direction {} of the [domain]",
-                                                   enumerators(Axis{})[static_cast<std::size_t>(periodic)]));
+    errors.add(section + ".direction",
+               fmt::format("leads along the periodic direction {} of the [domain]", name_of(periodic)));
   }
   if (servo.max_way == 0.0 && servo.min_way == 0.0) {
     errors.add(section + ".max_way", "\"max_way\" and \"min_way\" are both 0: the wall could not move");
   }
+}
+
+/// That an axis of torques has a direction, and that of every periodic boundary.
+void check_axis(const std::string& section, const Vec3& direction, const Deck& deck, DeckErrors& errors) {
+  check_direction(section, "axis_direction", direction, errors);
+  for (const Axis periodic : deck.domain.periodic) {
+    Vec3 along;
+    along.*component(periodic) = 1.0;
+    if (cross(direction, along) == Vec3{}) continue;
+    errors.add(section + ".axis_direction",
+               fmt::format("\"axis_direction\" is not along the periodic direction {} of the [domain]: the images of a "
+                           "grain would have other levers",
+                           name_of(periodic)));
+  }
+}
+
+void check_servo(const std::string& section, const ServoDeck& servo, const Deck& deck, DeckErrors& errors) {
+  if (servo.type == ServoType::rotation) {
+    check_axis(section, servo.axis_direction, deck, errors);
+    if (servo.max_angle == 0.0 && servo.min_angle == 0.0) {
+      errors.add(section + ".max_angle", "\"max_angle\" and \"min_angle\" are both 0: the wall could not turn");
+    }
+  } else {
+    check_way(section, servo, deck, errors);
+  }
   check_course(section, servo.times, servo.factors, errors);
   check_phase_names(section, servo.phases, deck, errors);
+}
+
+/// That a wall which moves with another leaves the moving to it, and that the other moves by itself.
+void check_follower(const std::string& section, const WallDeck& wall, const Deck& deck, DeckErrors& errors) {
+  const std::string key = section + ".moves_with";
+  const WallDeck* leader = find_wall(key, wall.moves_with, deck, errors);
+  if (leader == &wall) {
+    errors.add(key, fmt::format("wall \"{}\" cannot move with itself; name the wall that moves it", wall.name));
+  } else if (leader != nullptr && !leader->moves_with.empty()) {
+    errors.add(key,
+               fmt::format("wall \"{}\" moves with \"{}\" itself; name that one", leader->name, leader->moves_with));
+  }
+  if (!wall.motions.empty()) {
+    errors.add(section + ".motion",
+               "a wall with \"moves_with\" has no [[wall.motion]] of its own; remove one of the two");
+  }
+  if (wall.servo.enabled) {
+    errors.add(section + ".servo", "a wall with \"moves_with\" has no [wall.servo] of its own; remove one of the two");
+  }
 }
 
 /// That a servo can act in a phase which waits for one.
@@ -37,14 +83,19 @@ void check_waits_for_servo(const std::string& section, const PhaseDeck& phase, c
 
 void check_servos(const Deck& deck, DeckErrors& errors) {
   for (std::size_t i = 0; i < deck.walls.size(); ++i) {
-    const ServoDeck& servo = deck.walls[i].servo;
-    if (servo.enabled) check_servo(fmt::format("wall.{}.servo", i), servo, deck, errors);
+    const WallDeck& wall = deck.walls[i];
+    const std::string section = fmt::format("wall.{}", i);
+    if (!wall.moves_with.empty()) check_follower(section, wall, deck, errors);
+    if (wall.servo.enabled) check_servo(section + ".servo", wall.servo, deck, errors);
   }
   for (std::size_t i = 0; i < deck.phases.size(); ++i) {
     const PhaseDeck& phase = deck.phases[i];
     const std::string section = fmt::format("phase.{}", i);
     if (phase.until == PhaseUntil::servo) check_waits_for_servo(section, phase, deck, errors);
-    if (phase.until == PhaseUntil::wall_force) find_wall(section + ".wall", phase.wall, deck, errors);
+    if (phase.until == PhaseUntil::wall_force || phase.until == PhaseUntil::wall_torque) {
+      find_wall(section + ".wall", phase.wall, deck, errors);
+    }
+    if (phase.until == PhaseUntil::wall_torque) check_axis(section, phase.axis_direction, deck, errors);
   }
 }
 

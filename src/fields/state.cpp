@@ -41,9 +41,7 @@ void place_walls(const std::string& state, const std::string& file, double dt, s
   if (json.is_discarded()) throw FileError(fmt::format("{}: /state is no JSON", file));
   SimulationState simulation{{walls}};
   StateReader(json, file + ": state")("simulation", simulation);
-  for (Wall& wall : walls) {
-    if (wall.moves()) place(wall, dt);
-  }
+  place(walls, dt);
 }
 
 /// Whether it is where the deck says, and there in all phases.

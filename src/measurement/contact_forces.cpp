@@ -5,6 +5,7 @@
 #include <map>
 
 #include "contact/pair_loop.h"
+#include "measurement/force_sum.h"
 #include "neighbours/pair_lists.h"
 
 namespace repose {
@@ -14,11 +15,6 @@ constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 /// Which contacts follow the same law, by two indices that say which.
 using OfLaw = std::map<std::array<std::int32_t, 2>, std::vector<std::int32_t>>;
-
-Vec3 force_of(const ForceSum& sum, const ParticleRecord& p) {
-  return {static_cast<double>(sum.force[0]) / p.force_scale, static_cast<double>(sum.force[1]) / p.force_scale,
-          static_cast<double>(sum.force[2]) / p.force_scale};
-}
 
 /// Those of one law.
 void evaluate(VectorLevel level, const PairParameters& law, std::span<const TouchingPair> pairs,

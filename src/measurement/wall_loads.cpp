@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "comm/order_independent_sum.h"
+#include "measurement/force_sum.h"
 
 namespace repose {
 namespace {
@@ -11,15 +12,10 @@ namespace {
 /// Components of force and torque, one entry per particle each.
 using Contributions = std::array<std::vector<double>, 6>;
 
-Vec3 scaled(const std::int64_t (&sum)[4], double scale) {
-  return {static_cast<double>(sum[0]) / scale, static_cast<double>(sum[1]) / scale,
-          static_cast<double>(sum[2]) / scale};
-}
-
 /// What the wall does to each particle is in its sum; the particle does the opposite to the wall.
 void add_reaction(const ParticleRecord& p, const Vec3& position, const ForceSum& sum, Contributions& load) {
-  const Vec3 force = -scaled(sum.force, p.force_scale);
-  const Vec3 torque = cross(position, force) - scaled(sum.torque, p.torque_scale);
+  const Vec3 force = -force_of(sum, p);
+  const Vec3 torque = cross(position, force) - torque_of(sum, p);
   const std::array<double, 6> components = {force.x, force.y, force.z, torque.x, torque.y, torque.z};
   for (std::size_t k = 0; k < components.size(); ++k) load[k].push_back(components[k]);
 }

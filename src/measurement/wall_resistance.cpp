@@ -6,19 +6,22 @@
 #include <utility>
 
 #include "comm/order_independent_sum.h"
+#include "measurement/force_sum.h"
 
 namespace repose {
 namespace {
 
 /// What touches a wall: contacts that name the particles by their places among those that touch it.
 struct Touching {
+  const Wall* wall;
   BigVector<ParticleRecord> records;
   std::vector<WallContact> contacts;
   std::vector<std::vector<std::int32_t>> of_material;  ///< contacts by material of the particle
 };
 
-Touching touching(std::vector<WallContact> contacts, const Particles& particles, std::size_t materials) {
-  Touching all{{}, std::move(contacts), std::vector<std::vector<std::int32_t>>(materials)};
+Touching touching(const Wall& wall, std::vector<WallContact> contacts, const Particles& particles,
+                  std::size_t materials) {
+  Touching all{&wall, {}, std::move(contacts), std::vector<std::vector<std::int32_t>>(materials)};
   std::int32_t before = -1;
   for (std::size_t k = 0; k < all.contacts.size(); ++k) {
     const std::int32_t particle = std::exchange(all.contacts[k].particle, 0);
@@ -31,41 +34,41 @@ Touching touching(std::vector<WallContact> contacts, const Particles& particles,
   return all;
 }
 
-/// A wall that advances at `speed` (m/s) along `axis` for `time` (s).
+/// A body that advances at `speed` (m/s, or rad/s) along or about `axis` for `time` (s).
 struct Advance {
-  Vec3 axis;
+  const ServoAxis& axis;
   double speed = 0.0;
   double time = 0.0;
 };
 
-/// N along the axis on each particle, after the wall's advance past particles that stay.
-std::vector<double> forces_after(const Advance& advance, VectorLevel level, const Wall& wall,
-                                 const MaterialTable& materials, const Touching& touching) {
+/// Appends the load along or about the axis on each particle that touches a wall of the body, after its advance past
+/// particles that stay.
+void add_loads_after(const Advance& advance, VectorLevel level, const MaterialTable& materials,
+                     const Touching& touching, std::vector<double>& loads) {
   constexpr double no_bound = std::numeric_limits<double>::infinity();
   constexpr double nearest = 0.5;  // share of the radius at which a centre is kept from the wall
   const double way = advance.speed * advance.time;
   std::vector<WallContact> contacts = touching.contacts;
   for (WallContact& contact : contacts) {
     if (way == 0.0) break;
-    const double radius = touching.records[static_cast<std::size_t>(contact.particle)].radius;
-    contact.distance = std::max(contact.distance - way * dot(advance.axis, contact.normal), nearest * radius);
+    const ParticleRecord& p = touching.records[static_cast<std::size_t>(contact.particle)];
+    const double approach = way * dot(advance.axis.motion(1.0).at(p.position), contact.normal);
+    contact.distance = std::max(contact.distance - approach, nearest * p.radius);
   }
-  SurfaceMotion surface = wall.placement.motion;
-  surface.velocity += advance.speed * advance.axis;
+  SurfaceMotion surface = touching.wall->placement.motion;
+  const SurfaceMotion added = advance.axis.motion(advance.speed);
+  surface.velocity += added.velocity;
+  surface.angular_velocity += added.angular_velocity;
   BigVector<ForceSum> sums(touching.records.size());
   for (std::size_t m = 0; m < touching.of_material.size(); ++m) {
-    WallLaw law = wall_law(materials, static_cast<std::int32_t>(m), wall, advance.time, no_bound);
+    WallLaw law = wall_law(materials, static_cast<std::int32_t>(m), *touching.wall, advance.time, no_bound);
     law.surface = &surface;
     evaluate_walls(level, law, contacts, touching.of_material[m], touching.records.data(), sums.data());
   }
-  std::vector<double> forces;
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    const auto component = [&](int k) {
-      return static_cast<double>(sums[i].force[k]) / touching.records[i].force_scale;
-    };
-    forces.push_back(dot(advance.axis, {component(0), component(1), component(2)}));
+    const ParticleRecord& p = touching.records[i];
+    loads.push_back(advance.axis.load(p.position, force_of(sums[i], p), torque_of(sums[i], p)));
   }
-  return forces;
 }
 
 }  // namespace
@@ -73,12 +76,19 @@ std::vector<double> forces_after(const Advance& advance, VectorLevel level, cons
 WallResistance measure_resistance(const Communicator& comm, VectorLevel level, const PressingWall& pressing,
                                   std::span<const Wall> walls, const MaterialTable& materials,
                                   const Particles& particles, const WallContacts& wall_contacts) {
-  const Wall& wall = walls[static_cast<std::size_t>(pressing.wall)];
-  const Vec3& axis = wall.servo->direction();
-  const double speed = wall.servo->max_speed();
-  const Touching grains =
-      touching(wall_contacts.contacts_with(pressing.wall, walls, particles), particles, materials.size());
-  const auto after = [&](const Advance& advance) { return forces_after(advance, level, wall, materials, grains); };
+  const auto leader = static_cast<std::size_t>(pressing.wall);
+  const ServoAxis& axis = walls[leader].servo->axis();
+  const double speed = walls[leader].servo->max_speed();
+  std::vector<Touching> grains;
+  for (const std::size_t w : body_of(walls, leader)) {
+    grains.push_back(touching(walls[w], wall_contacts.contacts_with(static_cast<std::int32_t>(w), walls, particles),
+                              particles, materials.size()));
+  }
+  const auto after = [&](const Advance& advance) {
+    std::vector<double> loads;
+    for (const Touching& one : grains) add_loads_after(advance, level, materials, one, loads);
+    return loads;
+  };
   const std::vector<double> now = after({axis});
   const std::vector<double> standing = after({axis, 0.0, pressing.interval});  // springs go on by the grains' motion
   std::vector<double> growth = after({axis, speed, pressing.interval});

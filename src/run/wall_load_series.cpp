@@ -13,7 +13,7 @@ WallLoadSeries::WallLoadSeries(const Simulation& simulation, const std::string& 
     }
   }
   for (const Wall& wall : simulation.walls()) {
-    if (wall.servo) columns.push_back(wall.name + "_way_m");
+    if (wall.servo) columns.push_back(wall.name + (wall.servo->turns() ? "_angle_deg" : "_way_m"));
   }
   for (const WallDeck& wall : simulation.deck().walls) {
     if (!wall.heat.enabled) continue;
@@ -42,7 +42,7 @@ void WallLoadSeries::write(const Simulation& simulation) {
     for (const Vec3& v : {load.force, load.torque}) row.insert(row.end(), {v.x, v.y, v.z});
   }
   for (const Wall& wall : simulation.walls()) {
-    if (wall.servo) row.emplace_back(wall.servo->way());
+    if (wall.servo) row.emplace_back(wall.servo->turns() ? wall.servo->angle_deg() : wall.servo->way());
   }
   add_heat(simulation, row);
   agree_after_root(simulation.comm(), [&] { series_->append(row); });

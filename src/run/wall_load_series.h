@@ -8,7 +8,8 @@
 
 namespace repose {
 
-/// walls.csv: force and torque on each wall over time, the way of its servo, and the heat that it has given.
+/// walls.csv: force and torque on each wall over time, the way or the angle of its servo, and the heat that it has
+/// given.
 class WallLoadSeries {
  public:
   /// Creates the file or goes on with it, on rank 0. FileError when that fails.

@@ -19,7 +19,7 @@ MovingScene::MovingScene(const Deck& deck, std::vector<Wall> walls)
 void MovingScene::set_wall_skins(const Deck& deck, double inner_horizon, double outer_horizon) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     if (!walls_[w].travels) continue;
-    const double speed = greatest_speed(deck.walls[w], deck.domain);
+    const double speed = greatest_speed(deck.walls[walls_[w].moves_with.value_or(w)], deck.domain);
     walls_[w].inner_skin = inner_horizon * speed;
     walls_[w].outer_skin = outer_horizon * speed;
   }
@@ -39,26 +39,35 @@ void MovingScene::set_wall_present(const std::string& name, bool present) {
   const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) { return w.name == name; });
   if (wall == walls_.end()) return;
   wall->present = present;
-  if (wall->servo) wall->servo->hold();
+  const auto own = static_cast<std::size_t>(wall - walls_.begin());
+  std::optional<Servo>& servo = walls_[wall->moves_with.value_or(own)].servo;
+  if (servo) servo->hold();
+}
+
+bool MovingScene::is_body_present(std::size_t leader) const {
+  const std::vector<std::size_t> body = body_of(walls_, leader);
+  return std::any_of(body.begin(), body.end(), [&](std::size_t w) { return walls_[w].present; });
+}
+
+bool MovingScene::is_servo_due(std::size_t wall, std::int64_t step) const {
+  const std::optional<Servo>& servo = walls_[wall].servo;
+  return servo && servo->is_due(step) && is_body_present(wall);
 }
 
 void MovingScene::place(double dt) {
   held_.place(dt);
-  for (Wall& wall : walls_) {
-    if (wall.moves()) repose::place(wall, dt);
-  }
+  repose::place(walls_, dt);
   if (tilt_steps_ > 0) tilt_gravity(dt);
 }
 
 void MovingScene::step(double dt, Particles& particles) {
   held_.step(dt);
   held_.hold(particles);
-  for (Wall& wall : walls_) {
-    if (!wall.moves()) continue;
-    wall.motions.step();
-    if (wall.servo && wall.present) wall.servo->step(dt);
-    repose::place(wall, dt);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    walls_[w].motions.step();
+    if (walls_[w].servo && is_body_present(w)) walls_[w].servo->step(dt);
   }
+  repose::place(walls_, dt);
   if (!tilts_) return;
   ++tilt_steps_;
   tilt_gravity(dt);
@@ -66,16 +75,17 @@ void MovingScene::step(double dt, Particles& particles) {
 
 std::optional<std::string> MovingScene::control(std::size_t wall, const WallResistance& grains, double dt) {
   std::optional<std::string> told = walls_[wall].servo->control(grains, dt);
-  repose::place(walls_[wall], dt);
+  repose::place(walls_, dt);
   if (told) told = fmt::format("wall \"{}\": {}", walls_[wall].name, *told);
   return told;
 }
 
 bool MovingScene::servos_hold(double dt) const {
   bool any = false;
-  for (const Wall& wall : walls_) {
-    if (!wall.servo || !wall.servo->acts() || !wall.present) continue;
-    if (!wall.servo->holds(dt)) return false;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const std::optional<Servo>& servo = walls_[w].servo;
+    if (!servo || !servo->acts() || !is_body_present(w)) continue;
+    if (!servo->holds(dt)) return false;
     any = true;
   }
   return any;

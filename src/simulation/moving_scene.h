@@ -44,9 +44,11 @@ class MovingScene {
   /// Gives the held particles position, velocity and spin as they have to be now.
   void put_back(Particles& particles) const { held_.hold(particles); }
 
+  /// Whether the servo of a wall looks at the grains after this step: it acts, and a wall of its body is there.
+  bool is_servo_due(std::size_t wall, std::int64_t step) const;
   /// The servo of a wall chooses its speed by what the grains do. What it has to tell, with the name of the wall.
   std::optional<std::string> control(std::size_t wall, const WallResistance& grains, double dt);
-  /// Whether every servo that acts on a wall that is there holds its target steadily, and there is one.
+  /// Whether every servo that acts on a body that is there holds its target steadily, and there is one.
   bool servos_hold(double dt) const;
 
   const std::vector<Wall>& walls() const { return walls_; }
@@ -58,6 +60,8 @@ class MovingScene {
 
  private:
   void tilt_gravity(double dt);
+  /// Whether a wall that moves by itself is there, or one that moves with it.
+  bool is_body_present(std::size_t leader) const;
 
   std::vector<Wall> walls_;
   bool walls_travel_;

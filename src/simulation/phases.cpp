@@ -6,18 +6,32 @@
 
 #include "measurement/energies.h"
 #include "measurement/wall_loads.h"
+#include "scene/walls/unit_vector.h"
 
 namespace repose {
 namespace {
 
-/// Collective. N, of the grains on a wall, its magnitude.
-double force_on(const std::string& name, const Simulation& simulation) {
+/// Collective. Of the grains on a wall and those that move with it.
+WallLoad load_on(const std::string& name, const Simulation& simulation) {
   const std::vector<Wall>& walls = simulation.walls();
   const std::vector<WallLoad> loads =
       measure_wall_loads(simulation.comm(), simulation.vector_level(), walls, simulation.materials(),
                          simulation.particles(), simulation.wall_contacts());
   const auto wall = std::find_if(walls.begin(), walls.end(), [&](const Wall& w) { return w.name == name; });
-  return norm(loads.at(static_cast<std::size_t>(wall - walls.begin())).force);
+  WallLoad load;
+  for (const std::size_t w : body_of(walls, static_cast<std::size_t>(wall - walls.begin()))) {
+    load.force += loads.at(w).force;
+    load.torque += loads.at(w).torque;
+  }
+  return load;
+}
+
+/// Collective. Whether the force or the torque that the phase waits for is reached.
+bool is_load_reached(const PhaseDeck& phase, const Simulation& simulation) {
+  const WallLoad load = load_on(phase.wall, simulation);
+  if (phase.until == PhaseUntil::wall_force) return norm(load.force) > phase.force;
+  const Vec3 torque = load.torque - cross(phase.axis_origin, load.force);
+  return std::fabs(dot(unit_vector(phase.axis_direction), torque)) > phase.torque;
 }
 
 }  // namespace
@@ -58,8 +72,9 @@ std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::in
   if (deck_.until == PhaseUntil::servo && is_asked && simulation.scene().servos_hold(simulation.time_step().step)) {
     return "servo";
   }
-  if (deck_.until == PhaseUntil::wall_force && is_asked && force_on(deck_.wall, simulation) > deck_.force) {
-    return "wall_force";
+  const bool by_torque = deck_.until == PhaseUntil::wall_torque;
+  if ((by_torque || deck_.until == PhaseUntil::wall_force) && is_asked && is_load_reached(deck_, simulation)) {
+    return by_torque ? "wall_torque" : "wall_force";
   }
   if (deck_.until == PhaseUntil::tilt_onset && seen) return "tilt_onset";
   if (done < longest_) return {};

@@ -18,6 +18,11 @@ namespace repose {
 std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials, const ReadFile& read_file) {
   std::vector<Wall> walls;
   for (const WallDeck& w : deck.walls) walls.push_back(make_wall(w, materials.index_of(w.material), read_file));
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const std::string& name = deck.walls[w].moves_with;
+    const auto leader = std::find_if(walls.begin(), walls.end(), [&](const Wall& wall) { return wall.name == name; });
+    if (!name.empty()) join(walls, w, static_cast<std::size_t>(leader - walls.begin()));
+  }
   return walls;
 }
 
@@ -48,7 +53,7 @@ void check_wall_speeds(const Deck& deck, const std::vector<Wall>& walls, const M
   }
   for (std::size_t w = 0; w < walls.size(); ++w) {
     if (!walls[w].travels) continue;
-    const double way = dt * greatest_speed(deck.walls[w], deck.domain);
+    const double way = dt * greatest_speed(deck.walls[walls[w].moves_with.value_or(w)], deck.domain);
     if (way < longest_way * smallest) continue;
     throw DeckError(fmt::format(
         "wall \"{}\": its motions and servo can take it {:.3g} m within the domain in one time step of {:.3g} s, "

@@ -156,10 +156,9 @@ void Simulation::move(std::int64_t k, double dt) {
 /// The walls under load look at their forces, with the velocities of half a step ago however the steps are called.
 void Simulation::control_servos() {
   for (std::size_t w = 0; w < walls().size(); ++w) {
-    const Wall& wall = walls()[w];
-    if (!wall.servo || !wall.present || !wall.servo->is_due(steps_)) continue;
+    if (!scene_.is_servo_due(w, steps_)) continue;
     clock_.enter(Stage::wall_contacts);
-    const double interval = static_cast<double>(wall.servo->every()) * time_step_.step;
+    const double interval = static_cast<double>(walls()[w].servo->every()) * time_step_.step;
     const WallResistance grains = measure_resistance(comm_, level_, {static_cast<std::int32_t>(w), interval}, walls(),
                                                      materials_, particles_, wall_contacts_);
     if (const auto told = scene_.control(w, grains, time_step_.step)) warn(fmt::format("step {}: {}", steps_, *told));

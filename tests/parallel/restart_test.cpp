@@ -18,8 +18,8 @@
 namespace repose::test {
 namespace {
 
-/// Everything that has state of its own: a pour, walls that come and go and that move, by prescription and
-/// under load, held grains, a tilt, exits, all
+/// Everything that has state of its own: a pour, walls that come and go and that move, by prescription,
+/// under load and with one another, held grains, a tilt, exits, all
 /// the series, a periodic direction, heat, and particles that grow.
 const char* const scene = R"(
 [domain]
@@ -90,6 +90,30 @@ max_way = 0.005
 every = 7
 times = [0.0, 0.02, 0.04]
 factors = [0.5, 1.0, 0.1]
+[[wall]]
+name = "flap"
+type = "rectangle"
+material = "glass"
+corner = [-0.006, -0.008, 0.003]
+edge_u = [0.003, 0.0, 0.0]
+edge_v = [0.0, 0.016, 0.0]
+[wall.servo]
+type = "rotation"
+axis_origin = [-0.006, 0.0, 0.003]
+axis_direction = [0.0, 1.0, 0.0]
+torque = "4 uN m"
+max_angular_velocity = 30.0
+max_angle = 50.0
+min_angle = -20.0
+every = 9
+[[wall]]
+name = "flap_edge"
+type = "rectangle"
+material = "glass"
+moves_with = "flap"
+corner = [-0.003, -0.008, 0.002]
+edge_u = [0.0, 0.016, 0.0]
+edge_v = [0.0, 0.0, 0.001]
 [[wall]]
 name = "stop"
 type = "rectangle"
@@ -218,6 +242,7 @@ TEST_F(Restart, EndsAsARunThatWasNeverStopped) {
   EXPECT_EQ(parts->state_hash, whole->state_hash);
   EXPECT_EQ(parts->figures["servos"], whole->figures["servos"]);
   EXPECT_GT(parts->figures["servos"]["press"]["force_N"].get<double>(), 0.0);
+  EXPECT_NEAR(parts->figures["servos"]["flap"]["angle_deg"].get<double>(), 25.0, 24.0);  // grains have held it
   EXPECT_EQ(parts->inserted, 163);
   EXPECT_GT(parts->left, 0);
   EXPECT_EQ(parts->figures["discharged_mass_kg"], whole->figures["discharged_mass_kg"]);

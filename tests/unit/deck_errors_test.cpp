@@ -98,7 +98,8 @@ TEST(DeckErrors, KeysOfAnotherType) {
       {"time = 1\n", "time = 1\nsteps = 5\n",
        "74:1: \"steps\" of [[phase]] is only allowed with until = steps; remove it"},
       {"time = 1\n", "time = 1\nmin_time = 1\n",
-       "74:1: \"min_time\" of [[phase]] is only allowed with until = kinetic_energy, servo, wall_force; remove it"},
+       "74:1: \"min_time\" of [[phase]] is only allowed with until = kinetic_energy, servo, wall_force, wall_torque; "
+       "remove it"},
       {"plate_height = -0.05", "plate_height = -0.05\ncamera_height = 0",
        "81:1: \"camera_height\" of [measurement.angle_of_repose] is only allowed with camera = perspective; remove it"},
   });
@@ -478,6 +479,52 @@ TEST(DeckErrors, HeatAndWhatItNeeds) {
   says(with_hot({"phase.1.heat=[{min=[0, 0, 0], max=[1, 0, 1], power=1}]"}),
        "\"max\" must be greater than \"min\" in x, y and z");
   EXPECT_EQ(message_of(example_deck, with_hot({box(", power=1, temperature=400")})), "no error");
+}
+
+TEST(DeckErrors, WallsThatMoveWithOthers) {
+  const auto says = [&](const std::vector<std::string>& overrides, const std::string& words) {
+    EXPECT_NE(message_of(example_deck, overrides).find(words), std::string::npos)
+        << message_of(example_deck, overrides);
+  };
+  const std::string motion = "=[{type='translation', velocity=[0,0,1]}]";
+  const std::vector<std::string> gate_with_floor = {"wall.0.motion" + motion, "wall.2.moves_with='floor'"};
+  const auto and_also = [&](const std::string& more) {
+    std::vector<std::string> all = gate_with_floor;
+    all.push_back(more);
+    return all;
+  };
+  EXPECT_EQ(message_of(example_deck, gate_with_floor), "no error");
+  says({"wall.2.moves_with='flor'"}, "unknown wall \"flor\"; the nearest is \"floor\"");
+  says({"wall.2.moves_with='gate'"}, "wall \"gate\" cannot move with itself; name the wall that moves it");
+  says(and_also("wall.1.moves_with='gate'"), "wall \"gate\" moves with \"floor\" itself; name that one");
+  says(and_also("wall.2.motion" + motion), "has no [[wall.motion]] of its own; remove one of the two");
+  says(and_also("wall.2.servo={direction=[0,0,1], force=1, max_speed=0.1, max_way=1}"),
+       "has no [wall.servo] of its own; remove one of the two");
+}
+
+TEST(DeckErrors, ServosThatTurnAndPhasesThatWaitForTorques) {
+  const std::string start = "wall.0.servo={type='rotation', torque='2 mN m', max_angular_velocity='30 rpm', ";
+  const auto says = [&](const std::vector<std::string>& overrides, const std::string& words) {
+    EXPECT_NE(message_of(example_deck, overrides).find(words), std::string::npos)
+        << message_of(example_deck, overrides);
+  };
+  EXPECT_EQ(message_of(example_deck, {start + "max_angle=90}"}), "no error");
+  says({"wall.0.servo={type='rotation', torque=1, max_angular_velocity=1}"}, "[wall.servo] lacks \"max_angle\"");
+  says({start + "max_angle=90, force=1}"}, "\"force\" of [wall.servo] is only allowed with type = translation");
+  says({start + "max_angle=0}"}, "\"max_angle\" and \"min_angle\" are both 0: the wall could not turn");
+  says({start + "max_angle=90, min_angle=1}"}, "min_angle");
+  says({start + "max_angle=90, axis_direction=[0,0,0]}"}, "\"axis_direction\" has length zero");
+  const std::string along_x = start + "max_angle=90, axis_direction=[1,0,0]}";
+  says({along_x, "domain.periodic=['y']"}, "\"axis_direction\" is not along the periodic direction y of the [domain]");
+  const auto waiting = [&](const std::string& keys) {
+    return message_of(
+        with("until = \"time\"\ntime = 1\n", "until = \"wall_torque\"\nmax_time = 1\ntorque = 1\n" + keys));
+  };
+  EXPECT_EQ(waiting("wall = \"floor\"\n"), "no error");
+  EXPECT_NE(waiting("wall = \"flor\"\n").find("unknown wall \"flor\"; the nearest is \"floor\""), std::string::npos);
+  EXPECT_NE(waiting("wall = \"floor\"\naxis_direction = [0, 0, 0]\n").find("\"axis_direction\" has length zero"),
+            std::string::npos);
+  EXPECT_NE(waiting("").find("\"wall\""), std::string::npos);
 }
 
 TEST(DeckErrors, ServosAndPhasesThatWaitForThem) {

@@ -125,6 +125,28 @@ TEST(MovingWall, IsFeltWhereItHasCome) {
   EXPECT_FALSE(keeps_to_face(wall, touches[0].feature, centre, 0.0, 0.0051));
 }
 
+TEST(MovingWall, TakesThoseAlongThatMoveWithIt) {
+  WallDeck drum;
+  drum.name = "drum";
+  drum.type = WallType::profile;
+  drum.points = {{0.03, -0.01}, {0.03, 0.01}};
+  drum.axis_direction = {0.0, 1.0, 0.0};
+  drum.motions = {rotation({}, {0.0, 1.0, 0.0}, 0.5 * pi / (100 * dt))};
+  std::vector<Wall> walls = {make_wall(rectangle(), 0), make_wall(drum, 0), make_wall(rectangle(), 0)};
+  join(walls, 0, 1);
+  EXPECT_TRUE(walls[0].travels);  // while the drum does not
+  EXPECT_FALSE(walls[1].travels);
+  EXPECT_EQ(body_of(walls, 1), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(body_of(walls, 2), (std::vector<std::size_t>{2}));
+  walls[1].motions.begin_phase("any");
+  for (int k = 0; k < 100; ++k) walls[1].motions.step();
+  place(walls, dt);
+  EXPECT_NEAR(distance(walls[0], {0.003, 0.002, 0.015}), 0.003, 1e-15);  // in the plane x = 0 now
+  EXPECT_NEAR(distance(walls[2], {0.003, 0.002, 0.015}), 0.015, 1e-15);
+  EXPECT_EQ(walls[0].placement.motion.angular_velocity, walls[1].placement.motion.angular_velocity);
+  EXPECT_GT(norm(walls[0].placement.motion.angular_velocity), 0.0);
+}
+
 TEST(MovingWall, StaysWhereItsMotionLeavesItsShape) {
   WallDeck drum;
   drum.name = "drum";

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/math.h"
 #include "scene/walls/servo.h"
 
 namespace repose {
@@ -126,6 +127,74 @@ TEST(Servo, GoesBackToTheLeastWayAtMost) {
   EXPECT_EQ(servo.way(), -1e-3);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].find("min_way"), std::string::npos) << told[0];
+}
+
+ServoDeck turning_deck() {
+  ServoDeck deck;
+  deck.enabled = true;
+  deck.type = ServoType::rotation;
+  deck.axis_origin = {0.01, 0.0, 0.0};
+  deck.axis_direction = {0.0, 3.0, 0.0};
+  deck.torque = 0.2;
+  deck.max_angular_velocity = 2.0;
+  deck.max_angle = 90.0;
+  deck.every = 5;
+  return deck;
+}
+
+TEST(TurningServo, TurnsATorsionSpringUntilItsTorqueIsTheTarget) {
+  Servo servo = acting(turning_deck());
+  const Spring spring = {0.1, 0.5};  // rad, N m/rad
+  run(servo, spring, 20);
+  EXPECT_NEAR(servo.way(), 19 * 5 * dt * 2.0, 1e-12);  // nothing is felt: as fast as it may
+  const SurfaceMotion motion = servo.placement().motion;
+  EXPECT_EQ(motion.angular_velocity, (Vec3{0.0, 2.0, 0.0}));
+  EXPECT_EQ(motion.at({0.01, 7.0, 0.0}), Vec3{});
+  EXPECT_NEAR(motion.at({0.03, 7.0, 0.0}).z, -0.04, 1e-15);
+  EXPECT_EQ(run(servo, spring, 1000).size(), 0U);
+  EXPECT_NEAR(servo.way(), 0.5, 1e-12);
+  EXPECT_NEAR(servo.angle_deg(), 90.0 / pi, 1e-9);
+  EXPECT_NEAR(servo.force(), 0.2, 1e-12);
+  EXPECT_TRUE(servo.holds(dt));
+  const Vec3 x = servo.placement().place({0.03, 7.0, 0.0});
+  EXPECT_NEAR(x.x, 0.01 + 0.02 * std::cos(0.5), 1e-15);
+  EXPECT_NEAR(x.y, 7.0, 1e-15);
+  EXPECT_NEAR(x.z, -0.02 * std::sin(0.5), 1e-15);
+}
+
+TEST(TurningServo, ALoadAboutItsAxisIsThatOfForceTimesLeverAndOfTorque) {
+  const Servo servo = acting(turning_deck());
+  EXPECT_DOUBLE_EQ(servo.axis().load({0.03, 0.5, 0.0}, {0.0, 0.0, -2.0}, {5.0, 0.01, 7.0}), 0.05);
+  EXPECT_DOUBLE_EQ(acting(servo_deck()).axis().load({0.03, 0.5, 0.0}, {1.0, 1.0, -2.0}, {5.0, 0.01, 7.0}), 2.0);
+}
+
+TEST(TurningServo, SaysAtWhichAngleItEnds) {
+  ServoDeck deck = turning_deck();
+  deck.max_angle = 30.0;
+  deck.min_angle = -20.0;
+  Servo servo = acting(deck);
+  std::vector<std::string> told = run(servo, {10.0, 1.0}, 2000);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("max_angle = 30 degrees, where the grains press with 0 N m of 0.2 N m: it has found no "
+                         "resistance; look at its axis and at where the grains are, or raise max_angle"),
+            std::string::npos)
+      << told[0];
+  EXPECT_NEAR(servo.angle_deg(), 30.0, 1e-12);
+  servo = acting(deck);
+  told = run(servo, {-10.0, 1.0}, 2000);  // turns it back everywhere
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("min_angle = -20 degrees"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("stays there until the torque is beyond the target"), std::string::npos) << told[0];
+  EXPECT_NEAR(servo.angle_deg(), -20.0, 1e-12);
+}
+
+TEST(TurningServo, NoPointOfTheDomainIsFasterThanTheBound) {
+  WallDeck wall;
+  wall.servo = turning_deck();
+  const DomainDeck domain = {{-1.0, -2.0, -3.0}, {2.0, 1.0, 1.0}};
+  EXPECT_NEAR(greatest_speed(wall, domain), 2.0 * std::hypot(1.99, 3.0), 1e-12);
+  wall.servo = servo_deck();
+  EXPECT_EQ(greatest_speed(wall, domain), 0.1);
 }
 
 TEST(Servo, HoldsTheWallInOtherPhases) {

@@ -15,10 +15,14 @@ class ServoWatch : public Watch {
     const double dt = simulation.time_step().step;
     for (const Wall& wall : simulation.walls()) {
       if (!wall.servo) continue;
-      figures["servos"][wall.name] = {{"way_m", wall.servo->way()},
-                                      {"force_N", wall.servo->force()},
-                                      {"target_N", wall.servo->target(dt)},
-                                      {"holds", wall.servo->holds(dt)}};
+      const Servo& servo = *wall.servo;
+      Figures& figure = figures["servos"][wall.name];
+      if (servo.turns()) {
+        figure = {{"angle_deg", servo.angle_deg()}, {"torque_Nm", servo.force()}, {"target_Nm", servo.target(dt)}};
+      } else {
+        figure = {{"way_m", servo.way()}, {"force_N", servo.force()}, {"target_N", servo.target(dt)}};
+      }
+      figure["holds"] = servo.holds(dt);
     }
   }
 };
@@ -28,8 +32,12 @@ std::string lines(const Figures& figures) {
   if (servos == figures.end() || !servos->is_object()) return {};
   std::string text;
   for (const auto& [wall, servo] : servos->items()) {
-    text += fmt::format("wall {} has gone {:.6g} m and presses with {:.5g} N of {:.5g} N\n", wall,
-                        servo["way_m"].get<double>(), servo["force_N"].get<double>(), servo["target_N"].get<double>());
+    const auto number = [&](const char* key) { return servo[key].template get<double>(); };
+    text += servo.contains("way_m")
+                ? fmt::format("wall {} has gone {:.6g} m and presses with {:.5g} N of {:.5g} N\n", wall,
+                              number("way_m"), number("force_N"), number("target_N"))
+                : fmt::format("wall {} has turned by {:.6g} degrees and presses with {:.5g} N m of {:.5g} N m\n", wall,
+                              number("angle_deg"), number("torque_Nm"), number("target_Nm"));
   }
   return text;
 }

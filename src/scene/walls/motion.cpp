@@ -28,17 +28,7 @@ Placement placement_of(const MotionDeck& motion, double time, bool runs) {
       break;
     case MotionType::rotation: {
       const Vec3 axis = unit_vector(motion.axis_direction);
-      const auto [sine, cosine] = sin_cos_reproducible(motion.angular_velocity * time);
-      const double rest = 1.0 - cosine;
-      placement.rows = {
-          Vec3{cosine + rest * axis.x * axis.x, rest * axis.x * axis.y - sine * axis.z,
-               rest * axis.x * axis.z + sine * axis.y},
-          Vec3{rest * axis.y * axis.x + sine * axis.z, cosine + rest * axis.y * axis.y,
-               rest * axis.y * axis.z - sine * axis.x},
-          Vec3{rest * axis.z * axis.x - sine * axis.y, rest * axis.z * axis.y + sine * axis.x,
-               cosine + rest * axis.z * axis.z},
-      };
-      placement.shift = motion.axis_origin - placement.turn(motion.axis_origin);
+      placement = turned_about(motion.axis_origin, axis, motion.angular_velocity * time);
       if (runs) {
         placement.motion.angular_velocity = motion.angular_velocity * axis;
         placement.motion.velocity = -cross(placement.motion.angular_velocity, motion.axis_origin);
@@ -50,6 +40,22 @@ Placement placement_of(const MotionDeck& motion, double time, bool runs) {
 }
 
 }  // namespace
+
+Placement turned_about(const Vec3& origin, const Vec3& axis, double angle) {
+  const auto [sine, cosine] = sin_cos_reproducible(angle);
+  const double rest = 1.0 - cosine;
+  Placement placement;
+  placement.rows = {
+      Vec3{cosine + rest * axis.x * axis.x, rest * axis.x * axis.y - sine * axis.z,
+           rest * axis.x * axis.z + sine * axis.y},
+      Vec3{rest * axis.y * axis.x + sine * axis.z, cosine + rest * axis.y * axis.y,
+           rest * axis.y * axis.z - sine * axis.x},
+      Vec3{rest * axis.z * axis.x - sine * axis.y, rest * axis.z * axis.y + sine * axis.x,
+           cosine + rest * axis.z * axis.z},
+  };
+  placement.shift = origin - placement.turn(origin);
+  return placement;
+}
 
 Placement carried(const Placement& outer, const Placement& inner) {
   Placement both;

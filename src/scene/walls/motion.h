@@ -41,6 +41,10 @@ struct Placement {
   }
 };
 
+/// What a turn by `angle` (rad) about the axis through `origin` (m) along `axis` (unit) does to a body, by the
+/// right-hand rule; it rests there.
+Placement turned_about(const Vec3& origin, const Vec3& axis, double angle);
+
 /// `inner`, carried along by `outer`.
 Placement carried(const Placement& outer, const Placement& inner);
 

@@ -6,11 +6,34 @@
 #include <fmt/core.h>
 
 #include "base/interpolate.h"
+#include "base/math.h"
 #include "scene/walls/unit_vector.h"
 
 namespace repose {
 
-Servo::Servo(const ServoDeck& deck) : deck_(deck), direction_(unit_vector(deck.direction)) {}
+SurfaceMotion ServoAxis::motion(double speed) const {
+  const Vec3 along = speed * direction;
+  SurfaceMotion motion;
+  motion.velocity = type == ServoType::rotation ? -cross(along, origin) : along;
+  if (type == ServoType::rotation) motion.angular_velocity = along;
+  return motion;
+}
+
+double ServoAxis::load(const Vec3& x, const Vec3& force, const Vec3& torque) const {
+  return dot(direction, type == ServoType::rotation ? cross(x - origin, force) + torque : force);
+}
+
+Servo::Servo(const ServoDeck& deck)
+    : deck_(deck),
+      axis_{deck.type, unit_vector(deck.type == ServoType::rotation ? deck.axis_direction : deck.direction),
+            deck.axis_origin},
+      limits_(limits_of(deck)) {}
+
+Servo::Limits Servo::limits_of(const ServoDeck& deck) {
+  if (deck.type == ServoType::translation) return {deck.force, deck.max_speed, deck.max_way, deck.min_way};
+  constexpr double degree = pi / 180.0;
+  return {deck.torque, deck.max_angular_velocity, degree * deck.max_angle, degree * deck.min_angle};
+}
 
 void Servo::begin_phase(const std::string& phase) {
   const std::vector<std::string>& phases = deck_.phases;
@@ -28,42 +51,52 @@ void Servo::step(double dt) {
   if (!acts_) return;
   ++steps_;
   const double next = way_ + dt * speed_;
-  way_ = std::clamp(next, deck_.min_way, deck_.max_way);
+  way_ = std::clamp(next, limits_.min_way, limits_.max_way);
   if (way_ != next) speed_ = 0.0;
 }
 
+double Servo::angle_deg() const { return 180.0 / pi * way_; }
+
 double Servo::target(double dt) const {
-  if (deck_.times.empty()) return deck_.force;
-  return deck_.force * interpolate(deck_.times, deck_.factors, static_cast<double>(steps_) * dt);
+  if (deck_.times.empty()) return limits_.force;
+  return limits_.force * interpolate(deck_.times, deck_.factors, static_cast<double>(steps_) * dt);
 }
 
 /// Half of what would meet the target at the next look if nothing behind the grains at the wall gave way.
 double Servo::chosen_speed(const WallResistance& grains, double target) const {
   constexpr double share = 0.5;
   const double lacking = share * (target - grains.force);
-  const double most = deck_.max_speed * grains.per_speed;  // what the greatest speed would add
+  const double most = limits_.speed * grains.per_speed;  // what the greatest speed would add
   if (std::fabs(lacking) < most) return lacking / grains.per_speed;
   if (lacking == 0.0) return 0.0;
-  return lacking > 0.0 ? deck_.max_speed : -deck_.max_speed;
+  return lacking > 0.0 ? limits_.speed : -limits_.speed;
 }
 
 std::optional<std::string> Servo::control(const WallResistance& grains, double dt) {
   const double target = this->target(dt);
   force_ = grains.force;
-  const bool is_met = std::fabs(target - force_) <= deck_.tolerance * deck_.force;
+  const bool is_met = std::fabs(target - force_) <= deck_.tolerance * limits_.force;
   met_ = is_met ? met_ + 1 : 0;
   speed_ = chosen_speed(grains, target);
-  const bool at_most = way_ == deck_.max_way && speed_ > 0.0;
-  const bool at_least = way_ == deck_.min_way && speed_ < 0.0;
+  const bool at_most = way_ == limits_.max_way && speed_ > 0.0;
+  const bool at_least = way_ == limits_.min_way && speed_ < 0.0;
   if (!at_most && !at_least) return {};
   speed_ = 0.0;
   if (told_ || is_met) return {};
   told_ = true;
-  return fmt::format("its servo has come to {} = {:.6g} m, where the grains press with {:.4g} N of {:.4g} N{}",
-                     at_most ? "max_way" : "min_way", way_, force_, target,
-                     at_most && force_ == 0.0 ? ": it has found no resistance; look at its direction and at where the "
-                                                "grains are, or raise max_way"
-                                              : "; the wall stays there until the force is beyond the target");
+  return end_text(at_most, target);
+}
+
+std::string Servo::end_text(bool at_most, double target) const {
+  const std::string end = fmt::format("{}_{}", at_most ? "max" : "min", turns() ? "angle" : "way");
+  const char* const unit = turns() ? "N m" : "N";
+  const std::string advice =
+      at_most && force_ == 0.0
+          ? fmt::format(": it has found no resistance; look at its {} and at where the grains are, or raise {}",
+                        turns() ? "axis" : "direction", end)
+          : fmt::format("; the wall stays there until the {} is beyond the target", turns() ? "torque" : "force");
+  return fmt::format("its servo has come to {} = {:.6g}{}, where the grains press with {:.4g} {} of {:.4g} {}{}", end,
+                     turns() ? angle_deg() : way_, turns() ? " degrees" : " m", force_, unit, target, unit, advice);
 }
 
 bool Servo::holds(double dt) const {
@@ -72,13 +105,26 @@ bool Servo::holds(double dt) const {
 
 Placement Servo::placement() const {
   Placement placement;
-  placement.shift = way_ * direction_;
-  placement.motion.velocity = speed_ * direction_;
+  if (turns()) {
+    placement = turned_about(axis_.origin, axis_.direction, way_);
+  } else {
+    placement.shift = way_ * axis_.direction;
+  }
+  placement.motion = axis_.motion(speed_);
   return placement;
 }
 
 double greatest_speed(const WallDeck& wall, const DomainDeck& domain) {
-  return greatest_speed(wall.motions, domain) + (wall.servo.enabled ? wall.servo.max_speed : 0.0);
+  const ServoDeck& servo = wall.servo;
+  MotionDeck fastest;  // of the servo
+  if (servo.enabled && servo.type == ServoType::rotation) {
+    fastest.type = MotionType::rotation;
+    fastest.axis_origin = servo.axis_origin;
+    fastest.axis_direction = servo.axis_direction;
+    fastest.angular_velocity = servo.max_angular_velocity;
+    return greatest_speed(wall.motions, domain) + greatest_speed({fastest}, domain);
+  }
+  return greatest_speed(wall.motions, domain) + (servo.enabled ? servo.max_speed : 0.0);
 }
 
 }  // namespace repose

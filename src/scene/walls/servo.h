@@ -9,14 +9,28 @@
 
 namespace repose {
 
-/// How grains withstand a wall that presses on them along an axis.
+/// How grains withstand a wall that presses on them along an axis, or turns against them about one.
 struct WallResistance {
-  double force = 0.0;      ///< N, of the grains against the wall
-  double per_speed = 0.0;  ///< N s/m: by how much the force grows until the next look, over the wall's speed until then
+  double force = 0.0;  ///< N, of the grains against the wall; N m where it turns
+  double per_speed =
+      0.0;  ///< N s/m, or N m s: by how much the force grows until the next look, over the speed until then
 };
 
-/// A wall under load: moves along an axis so that the force on the grains meets a target. Where it has got to is part
-/// of the state of a run; everything in it is the same on all ranks (docs/theory.md, "Walls under load").
+/// The one way in which a servo moves a body.
+struct ServoAxis {
+  ServoType type = ServoType::translation;
+  Vec3 direction;  ///< unit
+  Vec3 origin;     ///< m, where the axis of a rotation is
+
+  /// Of a body that moves along it at `speed` m/s, or about it at `speed` rad/s.
+  SurfaceMotion motion(double speed) const;
+  /// What a force (N) on something at x (m) and a torque (N m) on it, too, do along it in N, or about it in N m.
+  double load(const Vec3& x, const Vec3& force, const Vec3& torque) const;
+};
+
+/// A wall under load: moves along an axis so that the force on the grains meets a target, or turns about one so that
+/// the torque does: ways are angles, speeds are angular velocities and forces are torques then. Where it has got to is
+/// part of the state of a run; everything in it is the same on all ranks (docs/theory.md, "Walls under load").
 class Servo {
  public:
   /// std::invalid_argument when the direction has no length.
@@ -35,12 +49,14 @@ class Servo {
   /// the target is not met.
   std::optional<std::string> control(const WallResistance& grains, double dt);
 
-  const Vec3& direction() const { return direction_; }  ///< unit
-  double max_speed() const { return deck_.max_speed; }
+  const ServoAxis& axis() const { return axis_; }
+  bool turns() const { return axis_.type == ServoType::rotation; }
+  double max_speed() const { return limits_.speed; }  ///< m/s or rad/s
   std::int64_t every() const { return deck_.every; }
-  double way() const { return way_; }      ///< m along the direction, from where the wall is in the deck
-  double force() const { return force_; }  ///< N, of the grains at the last look
-  double target(double dt) const;          ///< N, now
+  double way() const { return way_; }      ///< m or rad along or about the axis, from where the wall is in the deck
+  double angle_deg() const;                ///< of one that turns
+  double force() const { return force_; }  ///< N or N m, of the grains at the last look
+  double target(double dt) const;          ///< N or N m, now
   bool acts() const { return acts_; }
   /// Whether the target is no longer changing and has been met at the last `steady_looks` looks.
   bool holds(double dt) const;
@@ -61,10 +77,17 @@ class Servo {
   }
 
  private:
+  struct Limits {
+    double force, speed, max_way, min_way;
+  };
+
+  static Limits limits_of(const ServoDeck& deck);
   double chosen_speed(const WallResistance& grains, double target) const;
+  std::string end_text(bool at_most, double target) const;
 
   ServoDeck deck_;
-  Vec3 direction_;
+  ServoAxis axis_;
+  Limits limits_;
   double way_ = 0.0;
   double speed_ = 0.0;
   double force_ = 0.0;

@@ -25,12 +25,25 @@ WallShape made(const WallDeck& deck, const ReadFile& read_file, const std::varia
   return std::move(*shape);
 }
 
-bool is_moved(const Wall& wall) {
+/// Whether what moves `leader` leaves the shape somewhere else.
+bool is_moved(const WallShape& shape, const Wall& leader) {
   const auto moves_shape = [&](const MotionDeck& motion) {
     if (motion.type == MotionType::conveyor) return false;
-    return std::visit([&](const auto& shape) { return !keeps(shape, motion); }, wall.shape);
+    return std::visit([&](const auto& surface) { return !keeps(surface, motion); }, shape);
   };
-  return std::any_of(wall.motions.motions().begin(), wall.motions.motions().end(), moves_shape);
+  const std::vector<MotionDeck>& motions = leader.motions.motions();
+  return leader.servo || std::any_of(motions.begin(), motions.end(), moves_shape);
+}
+
+/// Where a wall that moves by itself takes its body.
+Placement placement_of(const Wall& leader, double dt) {
+  const Placement placement = leader.motions.placement(dt);
+  return leader.servo ? carried(leader.servo->placement(), placement) : placement;
+}
+
+void put(Wall& wall, const Placement& placement) {
+  if (wall.travels) wall.placement = placement;
+  wall.placement.motion = placement.motion;
 }
 
 Vec3 seen_by(const Wall& wall, const Vec3& centre) { return wall.travels ? wall.placement.back(centre) : centre; }
@@ -46,18 +59,32 @@ Wall make_wall(const WallDeck& deck, int material, const ReadFile& read_file) {
     wall.shape = made(deck, read_file, static_cast<const WallShape*>(nullptr));
     wall.motions = Motions(deck.motions);
     if (deck.servo.enabled) wall.servo.emplace(deck.servo);
-    wall.travels = is_moved(wall) || wall.servo;
+    wall.travels = is_moved(wall.shape, wall);
     return wall;
   } catch (const std::invalid_argument& problem) {
     throw DeckError(fmt::format("wall \"{}\": {}", deck.name, problem.what()));
   }
 }
 
-void place(Wall& wall, double dt) {
-  Placement placement = wall.motions.placement(dt);
-  if (wall.servo) placement = carried(wall.servo->placement(), placement);
-  if (wall.travels) wall.placement = placement;
-  wall.placement.motion = placement.motion;
+void join(std::vector<Wall>& walls, std::size_t follower, std::size_t leader) {
+  walls.at(follower).moves_with = leader;
+  walls[follower].travels = is_moved(walls[follower].shape, walls.at(leader));
+}
+
+std::vector<std::size_t> body_of(std::span<const Wall> walls, std::size_t leader) {
+  std::vector<std::size_t> body;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    if (w == leader || walls[w].moves_with == leader) body.push_back(w);
+  }
+  return body;
+}
+
+void place(Wall& wall, double dt) { put(wall, placement_of(wall, dt)); }
+
+void place(std::span<Wall> walls, double dt) {
+  for (Wall& wall : walls) {
+    if (wall.moves()) put(wall, placement_of(wall.moves_with ? walls[*wall.moves_with] : wall, dt));
+  }
 }
 
 int find_touches(const Wall& wall, int wall_index, const Vec3& centre, double reach, TouchBuffer& out) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "deck/deck.h"
 #include "files/read_file.h"
@@ -17,14 +20,15 @@ struct Wall {
   int material = 0;     ///< index into the deck's materials
   bool present = true;  ///< false until a phase adds it
   WallShape shape;
-  Motions motions;             ///< what moves it by prescription
-  std::optional<Servo> servo;  ///< what moves it by the force of the grains
-  bool travels = false;        ///< false: its motions leave its shape where it is, as a drum's about its own axis do
-  double inner_skin = 0.0;     ///< m, how far it may travel while an inner list is good
-  double outer_skin = 0.0;     ///< m, the same of an outer list
-  Placement placement;         ///< where its motions have brought it; as in the deck when it does not travel
+  Motions motions;                        ///< what moves it by prescription
+  std::optional<Servo> servo;             ///< what moves it by the force of the grains
+  std::optional<std::size_t> moves_with;  ///< place among all walls of the one whose motions and servo move this one
+  bool travels = false;     ///< false: its motions leave its shape where it is, as a drum's about its own axis do
+  double inner_skin = 0.0;  ///< m, how far it may travel while an inner list is good
+  double outer_skin = 0.0;  ///< m, the same of an outer list
+  Placement placement;      ///< where its motions have brought it; as in the deck when it does not travel
 
-  bool moves() const { return !motions.empty() || servo; }
+  bool moves() const { return !motions.empty() || servo || moves_with; }
 
   template <class Self, class Visitor>
   static void describe_state(Self& self, Visitor& v) {
@@ -38,8 +42,16 @@ struct Wall {
 /// DeckError, naming the wall, when its shape makes no sense.
 Wall make_wall(const WallDeck& deck, int material, const ReadFile& read_file = {});
 
-/// Brings the wall to where its motions and its servo are after all steps so far of `dt` s.
+/// From now on walls[follower] moves with walls[leader], which moves by itself, as one rigid body.
+void join(std::vector<Wall>& walls, std::size_t follower, std::size_t leader);
+
+/// The places of a wall that moves by itself, and of those that move with it.
+std::vector<std::size_t> body_of(std::span<const Wall> walls, std::size_t leader);
+
+/// Brings a wall that moves by itself to where its motions and its servo are after all steps so far of `dt` s.
 void place(Wall& wall, double dt);
+/// The same of all walls that move, by themselves or with others.
+void place(std::span<Wall> walls, double dt);
 
 /// Appends to `out` all features of the wall whose distance from `centre` is less than `reach` (m), tagged with the
 /// index `wall_index`; returns how many. Does not ask whether the wall is present.

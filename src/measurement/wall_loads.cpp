@@ -38,8 +38,6 @@ std::vector<WallLoad> measure_wall_loads(const Communicator& comm, VectorLevel l
                                          const MaterialTable& materials, const Particles& particles,
                                          const WallContacts& wall_contacts) {
   constexpr double no_bound = std::numeric_limits<double>::infinity();
-  // A spring that slides is at Coulomb's limit, and has no dashpot once it has gone on beyond it, by however little.
-  constexpr double moment = 1e-12;  // s
   std::vector<WallContact> contacts = wall_contacts.contacts(walls, particles);
   BigVector<ForceSum> sums(particles.record.size());
   std::vector<WallLoad> loads;

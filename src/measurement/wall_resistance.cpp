@@ -7,6 +7,7 @@
 
 #include "comm/order_independent_sum.h"
 #include "measurement/force_sum.h"
+#include "measurement/wall_loads.h"
 
 namespace repose {
 namespace {
@@ -89,7 +90,7 @@ WallResistance measure_resistance(const Communicator& comm, VectorLevel level, c
     for (const Touching& one : grains) add_loads_after(advance, level, materials, one, loads);
     return loads;
   };
-  const std::vector<double> now = after({axis});
+  const std::vector<double> now = after({axis, 0.0, moment});
   const std::vector<double> standing = after({axis, 0.0, pressing.interval});  // springs go on by the grains' motion
   std::vector<double> growth = after({axis, speed, pressing.interval});
   for (std::size_t k = 0; k < growth.size(); ++k) growth[k] -= standing[k];

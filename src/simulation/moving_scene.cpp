@@ -38,8 +38,8 @@ void MovingScene::begin_phase(const std::string& name) {
 void MovingScene::set_wall_present(const std::string& name, bool present) {
   const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& w) { return w.name == name; });
   if (wall == walls_.end()) return;
-  wall->present = present;
   const auto own = static_cast<std::size_t>(wall - walls_.begin());
+  for (const std::size_t w : body_of(walls_, own)) walls_[w].present = present;
   std::optional<Servo>& servo = walls_[wall->moves_with.value_or(own)].servo;
   if (servo) servo->hold();
 }

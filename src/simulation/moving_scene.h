@@ -26,7 +26,7 @@ class MovingScene {
 
   /// Starts the motions and the tilt that belong to a phase, and stops the others.
   void begin_phase(const std::string& name);
-  /// Adds or removes a named wall.
+  /// Adds or removes a named wall, and those that move with it.
   void set_wall_present(const std::string& name, bool present);
 
   /// After reading it, place has to be called.

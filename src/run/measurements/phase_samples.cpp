@@ -19,9 +19,13 @@ WallLoad load_of(const Simulation& simulation, const std::vector<std::string>& w
   const std::vector<WallLoad> loads =
       measure_wall_loads(simulation.comm(), simulation.vector_level(), simulation.walls(), simulation.materials(),
                          simulation.particles(), simulation.wall_contacts());
+  const auto is_named = [&](const Wall& wall) {
+    return std::find(walls.begin(), walls.end(), wall.name) != walls.end();
+  };
   WallLoad all;
   for (std::size_t w = 0; w < loads.size(); ++w) {
-    if (std::find(walls.begin(), walls.end(), simulation.walls()[w].name) == walls.end()) continue;
+    const Wall& wall = simulation.walls()[w];
+    if (!is_named(wall) && !(wall.moves_with && is_named(simulation.walls()[*wall.moves_with]))) continue;
     all.force += loads[w].force;
     all.torque += loads[w].torque;
   }

@@ -31,7 +31,7 @@ class PhaseSamples {
   bool goes_on_ = false;
 };
 
-/// Collective. What the grains do to the walls of these names together.
+/// Collective. What the grains do to the walls of these names, and to those that move with them, together.
 WallLoad load_of(const Simulation& simulation, const std::vector<std::string>& walls);
 
 }  // namespace repose

@@ -73,8 +73,11 @@ def is_in_region(posterior, names, hidden):
     return bool(distance(np.array(hidden)) <= np.quantile(distance(samples), 0.95))
 
 
-def deviations(marginals):
-    return {name: m["deviation"] for name, m in zip(PARAMETERS, marginals)}
+def deviations(posterior):
+    """Of each parameter, and of all: the fourth root of the volume of a region whose shape is that of the covariance."""
+    each = [m["deviation"] for m in posterior["marginals"]]
+    volume = np.prod(each) * np.sqrt(np.linalg.det(np.array(posterior["correlations"])))
+    return {**dict(zip(PARAMETERS, each)), "all": float(volume ** (1 / len(each)))}
 
 
 def main():
@@ -92,13 +95,13 @@ def main():
                      "verdict": found.estimate["verdict"],
                      "in_region": is_in_region(found.posterior, PARAMETERS, hidden),
                      "means": {name: m["mean"] for name, m in zip(PARAMETERS, marginals)},
-                     "together": deviations(marginals),
-                     **{test: deviations(alone[f"{test} alone"]["posterior"]["marginals"]) for test in TESTS}})
+                     "together": deviations(found.estimate["posterior"]),
+                     **{test: deviations(alone[f"{test} alone"]["posterior"]) for test in TESTS}})
     save(options.results / "together.json", points=POINTS, seeds=SEEDS, rows=rows)
-    print_table([{"parameter": name, "hidden": row["hidden"][name], "found": row["means"][name],
+    print_table([{"parameter": name, "hidden": row["hidden"].get(name, ""), "found": row["means"].get(name, ""),
                   "± together": row["together"][name], "± discharge alone": row["discharge"][name],
                   "± drum alone": row["drum"][name], "in the region": "yes" if row["in_region"] else "no"}
-                 for row in rows for name in PARAMETERS])
+                 for row in rows for name in [*PARAMETERS, "all"]])
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ Usage: python_package_test.py EXECUTABLE MPIEXEC SOURCE_DIR
 
 import csv
 import json
+import math
 import os
 import subprocess
 import sys
@@ -277,6 +278,24 @@ class Package(SharedFolderTest):
         self.raises("is no directory$", repose.open, self.path("absent"))
         for kind in (repose.Run, repose.Calibration, repose.Sensitivity, repose.Validation):
             self.raises("is no directory of ", kind, tempfile.mkdtemp(dir=self.folder))
+
+    def test_flow_properties_of_a_yield_locus(self):
+        from repose.shear import flow_properties
+        slope, cohesion = math.radians(30.0), 800.0
+        centre = 9000.0
+        radius = cohesion * math.cos(slope) + centre * math.sin(slope)  # of Mohr's circle that touches the locus
+        points = [(x, cohesion + x * math.tan(slope)) for x in (2000.0, 3500.0, 5000.0)]
+        beyond = math.radians(85.0)  # it touches at 120 degrees from the axis of normal stresses
+        found = flow_properties(points, (centre + radius * math.cos(beyond), radius * math.sin(beyond)))
+        for key, value in {"internal_friction_deg": 30.0, "cohesion_Pa": cohesion,
+                           "unconfined_yield_strength_Pa": 2.0 * cohesion * math.sqrt(3.0),
+                           "major_consolidation_stress_Pa": centre + radius,
+                           "effective_internal_friction_deg": math.degrees(math.asin(radius / centre)),
+                           "flowability": (centre + radius) / (2.0 * cohesion * math.sqrt(3.0))}.items():
+            self.assertAlmostEqual(found[key] / value, 1.0, places=10, msg=key)
+        dry = flow_properties([(x, 0.5 * x) for x in (1.0, 2.0, 3.0)], (4.0, 2.0))  # the circle touches at this point
+        self.assertAlmostEqual(dry["cohesion_Pa"], 0.0, places=12)
+        self.assertAlmostEqual(dry["effective_internal_friction_deg"], dry["internal_friction_deg"], places=5)
 
     def test_pandas_is_asked_for_by_frame_alone(self):
         code = ("import sys, repose\n"

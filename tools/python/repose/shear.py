@@ -24,7 +24,7 @@ class Shear:
     """What [measurement.shear] of a run has found.
 
     way (m), shear, normal (Pa): arrays over the samples of shear.csv; steady_shear, steady_normal, friction_deg, peak_deg: from
-    summary.json."""
+    summary.json; peak_shear: the shear stress of the peak under the steady normal one."""
 
     def __init__(self, run):
         samples, summary = run.shear, run.summary
@@ -34,11 +34,18 @@ class Shear:
         self.shear, self.normal = np.abs(samples["shear_stress_Pa"]), samples["normal_stress_Pa"]
         self.steady_shear, self.steady_normal = summary["shear_stress_Pa"], summary["normal_stress_Pa"]
         self.friction_deg, self.peak_deg = summary["internal_friction_deg"], summary["internal_friction_peak_deg"]
+        self.peak_shear = self.steady_normal * math.tan(math.radians(self.peak_deg))
+
+
+def steady_locus(runs):
+    """(angle of internal friction in degrees, cohesion in Pa) of the line through the steady stresses of several `Shear`."""
+    return line_through([[run.steady_normal, run.steady_shear] for run in runs])
 
 
 def yield_locus(runs):
-    """(angle of internal friction in degrees, cohesion in Pa) of the line through the steady stresses of several `Shear`."""
-    return line_through([[run.steady_normal, run.steady_shear] for run in runs])
+    """`flow_properties` of several `Shear` of beds that were consolidated alike, from their peaks; the first was sheared under the
+    stress of its consolidation, so that its steady stresses are those of the consolidation."""
+    return flow_properties([[run.steady_normal, run.peak_shear] for run in runs], (runs[0].steady_normal, runs[0].steady_shear))
 
 
 def line_through(points):

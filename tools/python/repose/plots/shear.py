@@ -3,12 +3,12 @@
 import numpy as np
 
 from repose.plots.style import HEIGHT, WIDTH, new_figure, styled
-from repose.shear import yield_locus
+from repose.shear import steady_locus
 
 
 @styled
 def shear(tests):
-    """Shear stress over way, and the yield locus through the steady stresses, of several `repose.shear.Shear`."""
+    """Shear stress over way, and the line through the steady stresses, of several `repose.shear.Shear`."""
     figure, (course, locus) = new_figure(1, 2, figsize=(1.6 * WIDTH, HEIGHT))
     for test in tests:
         line, = course.plot(1e3 * test.way, 1e-3 * test.shear, label=f"{1e-3 * test.steady_normal:.3g} kPa")
@@ -17,7 +17,7 @@ def shear(tests):
     course.set_ylabel("shear stress, kPa")
     course.legend(title="normal stress")
     if len(tests) > 1:
-        angle, cohesion = yield_locus(tests)
+        angle, cohesion = steady_locus(tests)
         ends = np.array([0.0, max(test.steady_normal for test in tests)])
         locus.plot(1e-3 * ends, 1e-3 * (cohesion + np.tan(np.radians(angle)) * ends), "k-", label=f"{angle:.1f} degrees")
         locus.legend()

@@ -119,7 +119,7 @@ TEST_F(TiltingBox, TheBedKeepsItsSlopeInTheBoxUntilTheAvalanche) {
   const double angle = figure(*summary, "static_angle_of_repose_deg");
   EXPECT_GT(angle, 20.0);
   EXPECT_LT(angle, 50.0);
-  EXPECT_NEAR(figure(*summary, "avalanche_tilt_deg"), angle, 8.0);  // the bed lay level, and crept
+  EXPECT_NEAR(figure(*summary, "avalanche_tilt_deg"), angle, 12.0);  // it lay level, and at this rate it lags
   const double after = figure(*summary, "slope_after_avalanche_deg");
   EXPECT_LT(after, angle - 1.0);
   // The same surface in columns along gravity.

@@ -7,10 +7,10 @@ namespace repose {
 /// Looks for the first avalanche on the surface of a bed that becomes steeper: that its slope falls.
 class Avalanche {
  public:
-  static constexpr double fall = pi / 180.0;  ///< rad, of the slope, that is an avalanche and no grain that gave way
+  static constexpr double fall = 2.0 * pi / 180.0;  ///< rad, of the slope: more than single grains that give way
 
   /// To be called at regular intervals with the slope of the surface and the tilt of the vessel, both in rad from the
-  /// horizontal and not below 0. Does nothing once an avalanche has been seen.
+  /// horizontal and positive where it tilts to. Does nothing once an avalanche has been seen.
   void add(double slope, double tilt) {
     if (seen_) return;
     if (slope > slope_) {
@@ -32,7 +32,7 @@ class Avalanche {
   }
 
  private:
-  double slope_ = 0.0;
+  double slope_ = -0.5 * pi;
   double tilt_ = 0.0;
   bool seen_ = false;
 };

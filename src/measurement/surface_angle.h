@@ -15,4 +15,9 @@ namespace repose {
 /// or when gravity has no part across the axis.
 std::optional<double> surface_angle(const SurfaceAngleDeck& deck, const Vec3& gravity, std::span<const Sphere> grains);
 
+/// The same of a bed at rest, where it does not change as grains lose and find contacts: all grains count, and only
+/// columns that are wholly within half_width x radius.
+std::optional<double> surface_angle_at_rest(const SurfaceAngleDeck& deck, const Vec3& gravity,
+                                            std::span<const Sphere> bed);
+
 }  // namespace repose

@@ -32,6 +32,8 @@ REDUCED = {
     "lifted_cylinder_disc.toml": LIFTED,
     "moving_bed_exchanger.toml": ("phase.settle.time=2 ms", "phase.sink.time=2 ms"),
     "periodic_chute.toml": ("phase.flow.time=5 ms",),
+    "powder_rheometer.toml": ("particles.0.count=500", "phase.settle.min_time=0", "phase.settle.max_time=2 ms", "phase.stir.time=2 ms"),
+    "tilting_box.toml": ("phase.settle.min_time=0", "phase.settle.max_time=2 ms", "phase.tilt.max_time=2 ms", "phase.rest.time=2 ms"),
     "validation.toml": ("particles.0.mass=0.02 g", *SHORT),
     "uniaxial_compression.toml": ("particles.0.count=378", "wall.lid.centre=[0, 0, 0.012]"),
     "direct_shear.toml": ("particles.0.count=560", "phase.fill.max_time=150 ms", "phase.press.min_time=0", "phase.press.max_time=20 ms", "phase.shear.time=10 ms",

@@ -102,6 +102,7 @@ class Package(SharedFolderTest):
         self.assertEqual(len(self.run_.walls["lid_force_z_N"]), len(rows))
         self.assertIsNone(self.run_.trace)
         self.assertIsNone(self.run_.surface_angle)
+        self.assertIsNone(self.run_.flow_energy)
 
     def test_a_file_that_grows(self):
         begun = self.path("begun")

@@ -64,18 +64,33 @@ TEST(TiltOnset, ExtrapolatesAwayWhatGrowsWithTheRateToTwoThirds) {
   EXPECT_NEAR(extrapolated_onset(seen(0.3), seen(0.15), 0.5), 0.127, 1e-15);
 }
 
-TEST(Avalanche, IsTheFirstFallOfTheSlopeByMoreThanADegree) {
+TEST(SurfaceAngle, AtRestIsThatOfWholeColumns) {
+  std::vector<Sphere> grains = bed(0.2);
+  const auto whole = surface_angle_at_rest(drum(), down, grains);
+  ASSERT_TRUE(whole);
+  EXPECT_NEAR(*whole, 0.2, 0.01);
+  // 15 mm is seven and a half columns; of the last one the grains of the surface are taken away.
+  std::erase_if(grains, [](const Sphere& g) {
+    const Vec3 from_axis = g.centre - drum().axis_origin;
+    return from_axis.x > 0.0141 && from_axis.x * std::sin(-0.2) + from_axis.z * std::cos(0.2) > -8.5e-3;
+  });
+  EXPECT_EQ(surface_angle_at_rest(drum(), down, grains), whole);
+  EXPECT_GT(std::fabs(*surface_angle(drum(), down, grains) - *whole), 0.02);
+  EXPECT_FALSE(surface_angle_at_rest(drum(), down, {}));
+}
+
+TEST(Avalanche, IsTheFirstFallOfTheSlopeByMoreThanTwoDegrees) {
   constexpr double degree = pi / 180.0;
   Avalanche avalanche;
   for (int k = 0; k <= 30;
        ++k) {  // the bed creeps, and a grain that gives way makes the surface less steep for a while
     const double tilt = 1.0 * k;
-    avalanche.add((tilt - 0.02 * k - (k == 20 ? 1.9 : 0.0)) * degree, tilt * degree);
+    avalanche.add((tilt - 0.02 * k - (k == 20 ? 2.9 : 0.0)) * degree, tilt * degree);
     EXPECT_FALSE(avalanche.seen()) << k;
   }
-  avalanche.add(28.6 * degree, 31.0 * degree);
+  avalanche.add(27.6 * degree, 31.0 * degree);
   EXPECT_FALSE(avalanche.seen());
-  avalanche.add(28.3 * degree, 31.1 * degree);
+  avalanche.add(27.3 * degree, 31.1 * degree);
   EXPECT_TRUE(avalanche.seen());
   avalanche.add(35.0 * degree, 40.0 * degree);  // a later one does not count
   EXPECT_NEAR(avalanche.slope() / degree, 29.4, 1e-12);

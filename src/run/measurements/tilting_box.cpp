@@ -8,7 +8,6 @@
 #include "measurement/avalanche.h"
 #include "measurement/surface_angle.h"
 #include "run/measurements/measurement.h"
-#include "scene/walls/unit_vector.h"
 
 namespace repose {
 namespace {
@@ -39,17 +38,17 @@ class TiltingBoxWatch : public Watch {
   void visit_state(StateReader& v) override { v("avalanche", avalanche_); }
 
  private:
-  /// Collective. Rad, on all ranks. Columns of the box, which tilt with it: what lies still does not pass from one to
-  /// another.
+  /// Collective. Rad, positive where the box tilts to, on all ranks. In columns of the box, which tilt with it: what
+  /// lies still does not pass from one to another.
   static std::optional<double> slope_of(const Simulation& simulation) {
     const Deck& deck = simulation.deck();
     const std::vector<Sphere> grains = gather_grains(simulation).spheres;
     double slope = unset;
     agree_after_root(simulation.comm(), [&] {
-      const auto in_box = surface_angle(deck.surface_angle, deck.gravity, grains);
+      const auto in_box = surface_angle_at_rest(deck.surface_angle, deck.gravity, grains);
       if (!in_box) return;
-      const double sense = dot(unit_vector(deck.tilt.axis_direction), unit_vector(deck.surface_angle.axis_direction));
-      slope = std::fabs(*in_box - std::copysign(1.0, sense) * simulation.scene().tilt());
+      const double turn = deck.tilt.angular_velocity * dot(deck.tilt.axis_direction, deck.surface_angle.axis_direction);
+      slope = std::fabs(simulation.scene().tilt()) - std::copysign(*in_box, turn * *in_box);
     });
     simulation.comm().broadcast(slope);
     return std::isnan(slope) ? std::optional<double>() : slope;

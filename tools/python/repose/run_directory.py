@@ -124,6 +124,11 @@ class Run:
         return self._table("compression.csv")
 
     @property
+    def flow_energy(self):
+        """flow_energy.csv, force, torque and work of a blade over its way; None when it was not asked for."""
+        return self._table("flow_energy.csv")
+
+    @property
     def trace(self):
         """trace.csv: every particle every few steps, for small cases; None when it was not asked for."""
         return self._table("trace.csv")

@@ -5,7 +5,8 @@ from repose.report import html, numbers, parts
 from repose.report.page import Report, Section
 
 FIRST = ("angle_of_repose_deg", "discharged_mass_kg", "discharge_rate_kg_s", "surface_angle_deg", "tilt_onset_deg",
-         "retained_slope_deg", "bulk_density_kg_m3", "porosity", "scattering.area_1.count")
+         "static_angle_of_repose_deg", "flow_energy_J", "retained_slope_deg", "bulk_density_kg_m3", "porosity",
+         "scattering.area_1.count")
 
 
 def answer(run):

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "deck/read_deck.h"
+#include "simulation/phases.h"
 #include "simulation/simulation.h"
 #include "simulation_counts.h"
 #include "support/scenes.h"
@@ -172,6 +173,19 @@ class HalfLids : public testing::Test {
 TEST_F(HalfLids, ShareTheForceOfOneServo) {
   simulation_.begin_phase("any");
   expect_way(0.5 * force);
+}
+
+TEST_F(HalfLids, EndAPhaseByWhatPressesOnBoth) {
+  PhaseDeck press;
+  press.name = "press";
+  press.until = PhaseUntil::wall_force;
+  press.wall = "left";
+  press.force = 0.8 * force;  // more than either bears
+  press.max_time = 0.03;
+  const Phase phase(press, simulation_);
+  std::optional<std::string> ended;
+  while (!(ended = phase.ended_by(simulation_, 10))) simulation_.advance(10);
+  EXPECT_EQ(*ended, "wall_force");
 }
 
 TEST_F(HalfLids, CountOnlyWhileTheyAreThere) {

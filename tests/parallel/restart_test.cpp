@@ -252,6 +252,8 @@ TEST_F(Restart, EndsAsARunThatWasNeverStopped) {
     EXPECT_EQ(parts->exits[e].mass_kg, whole->exits[e].mass_kg);
   }
   expect_same_files("whole", "parts");
+  const std::string walls = text_of(folder("parts") + "/walls.csv");
+  EXPECT_NE(walls.find(",press_way_m,flap_angle_deg,"), std::string::npos) << walls.substr(0, walls.find('\n'));
 }
 
 TEST_F(Restart, GoesOnOnAnotherNumberOfRanks) {

@@ -14,10 +14,6 @@ struct WallLoad {
   Vec3 torque;  ///< N m, about the origin of coordinates
 };
 
-/// s, by which springs go on before a contact is looked at: one that slides is at Coulomb's limit, and has no dashpot
-/// once it has gone on beyond it, by however little.
-inline constexpr double moment = 1e-12;
-
 /// Collective. The load on each wall, from the contact law at the present positions, velocities and histories, which
 /// stay as they are; the same bits on any number of ranks. Velocities are those of the full step, while the time loop
 /// takes half-step ones: the dashpots differ by that.

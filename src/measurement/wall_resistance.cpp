@@ -7,7 +7,6 @@
 
 #include "comm/order_independent_sum.h"
 #include "measurement/force_sum.h"
-#include "measurement/wall_loads.h"
 
 namespace repose {
 namespace {

@@ -6,12 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "../unit/output_samples.h"
-#include "base/error.h"
-#include "deck/read_deck.h"
-#include "deck/resolved_deck.h"
-#include "output/summary.h"
-#include "run/run.h"
+#include "support/deck_runs.h"
 
 namespace repose::test {
 namespace {
@@ -140,31 +135,8 @@ phase = "stir"
 interval = 1.2e-4
 )";
 
-class FlowEnergy : public testing::Test {
+class FlowEnergy : public DeckRuns {
  protected:
-  std::string folder(const std::string& name) const { return folder_ / name; }
-
-  /// The figures, or none when it was stopped after so many looks at whether it should be (0: never).
-  std::optional<nlohmann::ordered_json> run(const Communicator& comm, const std::string& text, const std::string& name,
-                                            int looks = 0, bool restart = false) const {
-    const Deck deck = read_deck(text, "scene.toml", {});
-    OutputOptions options;
-    options.directory = folder(name);
-    options.resolved_deck = resolved_deck(deck);
-    options.log.progress = nullptr;
-    options.restart = restart;
-    int looked = 0;
-    const auto stop_asked = [&](double) -> std::optional<std::string> {
-      if (++looked == looks) return "the test";
-      return {};
-    };
-    try {
-      return run_deck(comm, deck, {}, best_vector_level(), options, stop_asked).figures;
-    } catch (const Stopped&) {
-      return {};
-    }
-  }
-
   /// The rows of flow_energy.csv, on rank 0.
   std::vector<std::vector<double>> rows(const std::string& name) const {
     std::istringstream lines(file_bytes(folder(name) + "/flow_energy.csv"));
@@ -179,9 +151,6 @@ class FlowEnergy : public testing::Test {
     }
     return all;
   }
-
-  Communicator world_{MPI_COMM_WORLD};
-  ScratchFolder folder_{world_, "repose_flow_energy"};
 };
 
 TEST_F(FlowEnergy, APlateThatPushesAGrainAlongAFloorDoesTheWorkOfFriction) {
@@ -219,14 +188,14 @@ time = {}
   // a thousandth of the time.
   const double friction = 0.4 * grain_mass * 9.81;
   const double work = grain_mass * speed * speed + friction * speed * time;
-  EXPECT_NEAR((*figures)["flow_energy_J"].get<double>(), work, 2e-3 * work);
-  EXPECT_NEAR((*figures)["specific_flow_energy_J_kg"].get<double>(), work / grain_mass, 2e-3 * work / grain_mass);
+  EXPECT_NEAR(figures->figures["flow_energy_J"].get<double>(), work, 2e-3 * work);
+  EXPECT_NEAR(figures->figures["specific_flow_energy_J_kg"].get<double>(), work / grain_mass, 2e-3 * work / grain_mass);
   const std::vector<double> last = rows("push").back();
   EXPECT_NEAR(last[2], speed * time, 1e-12);
   EXPECT_EQ(last[3], 0.0);
   EXPECT_NEAR(last[4], friction, 1e-3 * friction);
   EXPECT_EQ(last[5], 0.0);
-  EXPECT_EQ(last[6], (*figures)["flow_energy_J"].get<double>());
+  EXPECT_EQ(last[6], figures->figures["flow_energy_J"].get<double>());
 }
 
 TEST_F(FlowEnergy, APlateThatPressesAGrainStoresTheElasticEnergyOfHertz) {
@@ -253,7 +222,7 @@ time = 0.2
   ASSERT_TRUE(figures);
   if (!world_.is_root()) return;
   const double work = 2.0 * (8.0 / 15.0) * modulus * std::sqrt(0.5e-3) * std::pow(overlap, 2.5);
-  EXPECT_NEAR((*figures)["flow_energy_J"].get<double>(), work, 2e-3 * work);  // dashpots
+  EXPECT_NEAR(figures->figures["flow_energy_J"].get<double>(), work, 2e-3 * work);  // dashpots
   const double force = (4.0 / 3.0) * modulus * std::sqrt(0.5e-3) * std::pow(overlap, 1.5);
   EXPECT_NEAR(rows("press").back()[4], force, 2e-3 * force);
 }
@@ -297,7 +266,7 @@ time = {}
   if (!world_.is_root()) return;
   const double weight = grain_mass * 9.81;
   const double work = 0.4 * weight * arm * spin * time;
-  EXPECT_NEAR((*figures)["flow_energy_J"].get<double>(), work, 1e-3 * work);  // before the stop holds the grain
+  EXPECT_NEAR(figures->figures["flow_energy_J"].get<double>(), work, 1e-3 * work);  // before the stop holds the grain
   const std::vector<double> last = rows("turn").back();
   EXPECT_EQ(last[2], 0.0);
   EXPECT_NEAR(last[3], spin * time * 180.0 / M_PI, 1e-3);
@@ -328,8 +297,8 @@ TEST_F(FlowEnergy, SameBitsOnAllRanksAsOnOne) {
   const auto together = run(world_, paddle, "together");
   if (world_.is_root()) {
     const auto alone = run(Communicator(MPI_COMM_SELF), paddle, "alone");
-    EXPECT_EQ((*alone)["flow_energy_J"], (*together)["flow_energy_J"]);
-    EXPECT_EQ((*alone)["specific_flow_energy_J_kg"], (*together)["specific_flow_energy_J_kg"]);
+    EXPECT_EQ(alone->figures["flow_energy_J"], together->figures["flow_energy_J"]);
+    EXPECT_EQ(alone->figures["specific_flow_energy_J_kg"], together->figures["specific_flow_energy_J_kg"]);
     EXPECT_EQ(file_bytes(folder("alone") + "/flow_energy.csv"), file_bytes(folder("together") + "/flow_energy.csv"));
   }
   world_.barrier();
@@ -339,11 +308,11 @@ TEST_F(FlowEnergy, GoesOnAfterAStop) {
   const auto whole = run(world_, paddle, "whole");
   EXPECT_FALSE(run(world_, paddle, "parts", 200));
   int stops = 1;
-  std::optional<nlohmann::ordered_json> parts;
+  std::optional<Summary> parts;
   for (; !parts; ++stops) parts = run(world_, paddle, "parts", 70, true);
   EXPECT_GT(stops, 4);
-  EXPECT_EQ((*parts)["flow_energy_J"], (*whole)["flow_energy_J"]);
-  EXPECT_EQ((*parts)["specific_flow_energy_J_kg"], (*whole)["specific_flow_energy_J_kg"]);
+  EXPECT_EQ(parts->figures["flow_energy_J"], whole->figures["flow_energy_J"]);
+  EXPECT_EQ(parts->figures["specific_flow_energy_J_kg"], whole->figures["specific_flow_energy_J_kg"]);
   if (world_.is_root()) {
     EXPECT_EQ(file_bytes(folder("parts") + "/flow_energy.csv"), file_bytes(folder("whole") + "/flow_energy.csv"));
   }

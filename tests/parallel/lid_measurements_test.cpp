@@ -139,8 +139,8 @@ interval = 1e-4
 
 class LidMeasurements : public DeckRuns {
  protected:
-  static double number(const std::optional<nlohmann::ordered_json>& figures, const char* key) {
-    return (*figures)[key].get<double>();
+  static double number(const std::optional<Summary>& figures, const char* key) {
+    return figures->figures[key].get<double>();
   }
 };
 
@@ -198,7 +198,7 @@ TEST_F(LidMeasurements, ALayerThatIsLetGoHasTheModulusOfHertz) {
   const double solid = grains * M_PI / 6.0 * 1e-9;
   EXPECT_NEAR(number(figures, "compression_porosity"), 1.0 - solid / (area * height(force)), 1e-6);
   const double slope = -0.1 * force / area / std::log(height(0.98 * force) / height(0.88 * force));
-  EXPECT_NEAR(number(figures, "compression_modulus_Pa") / slope, -1.0, 0.01);
+  EXPECT_NEAR(number(figures, "compression_modulus_Pa"), slope, 0.01 * slope);
 }
 
 TEST_F(LidMeasurements, SameBitsOnAllRanksAsOnOne) {
@@ -209,8 +209,8 @@ TEST_F(LidMeasurements, SameBitsOnAllRanksAsOnOne) {
   if (world_.is_root()) {
     const auto ring_alone = run(self, ring_text, "ring_alone");
     const auto bed_alone = run(self, bed_text, "bed_alone");
-    EXPECT_EQ((*ring_alone)["internal_friction_deg"], (*ring_together)["internal_friction_deg"]);
-    EXPECT_EQ((*bed_alone)["compression_modulus_Pa"], (*bed_together)["compression_modulus_Pa"]);
+    EXPECT_EQ(ring_alone->figures["internal_friction_deg"], ring_together->figures["internal_friction_deg"]);
+    EXPECT_EQ(bed_alone->figures["compression_modulus_Pa"], bed_together->figures["compression_modulus_Pa"]);
     EXPECT_EQ(file_bytes(folder("ring_alone") + "/shear.csv"), file_bytes(folder("ring_together") + "/shear.csv"));
     EXPECT_EQ(file_bytes(folder("bed_alone") + "/compression.csv"),
               file_bytes(folder("bed_together") + "/compression.csv"));
@@ -224,12 +224,12 @@ TEST_F(LidMeasurements, GoOnAfterAStop) {
     const auto whole = run(world_, text, "whole");
     EXPECT_FALSE(run(world_, text, "parts", 10));
     int stops = 1;
-    std::optional<nlohmann::ordered_json> parts;
+    std::optional<Summary> parts;
     for (; !parts; ++stops) parts = run(world_, text, "parts", 9, true);
     EXPECT_GT(stops, 3);
     for (const char* key :
          {"internal_friction_deg", "internal_friction_peak_deg", "compression_modulus_Pa", "compression_porosity"}) {
-      EXPECT_EQ((*parts)[key], (*whole)[key]) << key;
+      EXPECT_EQ(parts->figures[key], whole->figures[key]) << key;
     }
     if (world_.is_root()) {
       EXPECT_EQ(file_bytes(folder("parts") + file), file_bytes(folder("whole") + file));

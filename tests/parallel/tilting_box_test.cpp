@@ -5,12 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../unit/output_samples.h"
-#include "base/error.h"
-#include "deck/read_deck.h"
-#include "deck/resolved_deck.h"
-#include "output/summary.h"
-#include "run/run.h"
+#include "support/deck_runs.h"
 
 namespace repose::test {
 namespace {
@@ -80,39 +75,12 @@ half_width = 0.8
 interval = 1e-3
 )";
 
-class TiltingBox : public testing::Test {
- protected:
-  std::string folder(const std::string& name) const { return folder_ / name; }
-
-  /// The summary, or none when it was stopped after so many looks at whether it should be (0: never).
-  std::optional<Summary> run(const Communicator& comm, const std::string& name, int looks = 0,
-                             bool restart = false) const {
-    const Deck deck = read_deck(box, "box.toml", {});
-    OutputOptions options;
-    options.directory = folder(name);
-    options.resolved_deck = resolved_deck(deck);
-    options.log.progress = nullptr;
-    options.restart = restart;
-    int looked = 0;
-    const auto stop_asked = [&](double) -> std::optional<std::string> {
-      if (++looked == looks) return "the test";
-      return {};
-    };
-    try {
-      return run_deck(comm, deck, {}, best_vector_level(), options, stop_asked);
-    } catch (const Stopped&) {
-      return {};
-    }
-  }
-
-  Communicator world_{MPI_COMM_WORLD};
-  ScratchFolder folder_{world_, "repose_tilting_box"};
-};
+using TiltingBox = DeckRuns;
 
 double figure(const Summary& summary, const char* key) { return summary.figures.at(key).get<double>(); }
 
 TEST_F(TiltingBox, TheBedKeepsItsSlopeInTheBoxUntilTheAvalanche) {
-  const auto summary = run(world_, "whole");
+  const auto summary = run(world_, box, "whole");
   ASSERT_TRUE(summary);
   EXPECT_EQ(summary->phases[1].ended_by, "tilt_onset");
   if (!world_.is_root()) return;
@@ -130,13 +98,13 @@ TEST_F(TiltingBox, TheBedKeepsItsSlopeInTheBoxUntilTheAvalanche) {
 }
 
 TEST_F(TiltingBox, SameBitsOnAllRanksAndAfterStops) {
-  const auto whole = run(world_, "whole");
-  EXPECT_FALSE(run(world_, "parts", 150));
+  const auto whole = run(world_, box, "whole");
+  EXPECT_FALSE(run(world_, box, "parts", 150));
   std::optional<Summary> parts;
-  while (!parts) parts = run(world_, "parts", 200, true);
+  while (!parts) parts = run(world_, box, "parts", 200, true);
   ASSERT_TRUE(whole);
   if (world_.is_root()) {
-    const auto alone = run(Communicator(MPI_COMM_SELF), "alone");
+    const auto alone = run(Communicator(MPI_COMM_SELF), box, "alone");
     for (const char* key : {"static_angle_of_repose_deg", "avalanche_tilt_deg", "slope_after_avalanche_deg"}) {
       EXPECT_EQ(parts->figures.at(key), whole->figures.at(key)) << key;
       EXPECT_EQ(alone->figures.at(key), whole->figures.at(key)) << key;

@@ -35,9 +35,11 @@ REDUCED = {
     "powder_rheometer.toml": ("particles.0.count=500", "phase.settle.min_time=0", "phase.settle.max_time=2 ms", "phase.stir.time=2 ms"),
     "tilting_box.toml": ("phase.settle.min_time=0", "phase.settle.max_time=2 ms", "phase.tilt.max_time=2 ms", "phase.rest.time=2 ms"),
     "validation.toml": ("particles.0.mass=0.02 g", *SHORT),
-    "uniaxial_compression.toml": ("particles.0.count=378", "wall.lid.centre=[0, 0, 0.012]"),
-    "direct_shear.toml": ("particles.0.count=560", "phase.fill.max_time=150 ms", "phase.press.min_time=0", "phase.press.max_time=20 ms", "phase.shear.time=10 ms",
-                          "wall.lid.corner=[-0.024, -0.012, 0.0]"),
+    "uniaxial_compression.toml": ("particles.0.count=378", "wall.lid.centre=[0, 0, 0.012]", "measurement.compression.height=12 mm"),
+    "direct_shear.toml": ("particles.0.count=1500", "phase.fill.min_time=0", "phase.fill.max_time=2 ms", "phase.press.min_time=0",
+                          "phase.press.max_time=2 ms", "phase.shear.time=4 ms", "measurement.shear.from=2 ms"),
+    "ring_shear.toml": ("particles.0.count=1500", "phase.fill.min_time=0", "phase.fill.max_time=2 ms", "phase.press.time=2 ms",
+                        "phase.preshear.time=2 ms", "phase.relax.time=1 ms", "phase.shear.time=4 ms", "measurement.shear.from=2 ms"),
 }
 # Changes in the copies of studies.
 FEW_GRAINS = ", ".join(f'"{s}"' for s in (

@@ -19,9 +19,9 @@ class DeckRuns : public ::testing::Test {
  protected:
   std::string folder(const std::string& name) const { return folder_ / name; }
 
-  /// The figures, or none when it was stopped after so many looks at whether it should be (0: never).
-  std::optional<nlohmann::ordered_json> run(const Communicator& comm, const std::string& text, const std::string& name,
-                                            int looks = 0, bool restart = false) const {
+  /// The summary, or none when it was stopped after so many looks at whether it should be (0: never).
+  std::optional<Summary> run(const Communicator& comm, const std::string& text, const std::string& name, int looks = 0,
+                             bool restart = false) const {
     const Deck deck = read_deck(text, "scene.toml", {});
     OutputOptions options;
     options.directory = folder(name);
@@ -34,7 +34,7 @@ class DeckRuns : public ::testing::Test {
       return {};
     };
     try {
-      return run_deck(comm, deck, {}, best_vector_level(), options, stop_asked).figures;
+      return run_deck(comm, deck, {}, best_vector_level(), options, stop_asked);
     } catch (const Stopped&) {
       return {};
     }

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,9 +8,8 @@
 #include "base/math.h"
 #include "comm/agreement.h"
 #include "measurement/discharged_mass.h"
-#include "measurement/wall_loads.h"
 #include "run/measurements/measurement.h"
-#include "simulation/phases.h"
+#include "run/measurements/phase_samples.h"
 
 namespace repose {
 namespace {
@@ -65,8 +63,7 @@ BladeRates rates_of(const SurfaceMotion& motion) {
 class FlowEnergyWatch : public Watch {
  public:
   FlowEnergyWatch(const Simulation& simulation, const SeriesFolder& folder)
-      : deck_(simulation.deck().flow_energy),
-        every_(std::max<std::int64_t>(1, steps_for(deck_.interval, simulation.time_step().step))) {
+      : deck_(simulation.deck().flow_energy), samples_(deck_.phase, deck_.interval, simulation.time_step().step) {
     agree_after_root(simulation.comm(), [&] {
       series_ = std::make_unique<TimeSeries>(
           folder.directory + "/" + series_file,
@@ -76,12 +73,10 @@ class FlowEnergyWatch : public Watch {
   }
 
   void phase_begins(const Simulation& simulation, const std::string& name) override {
-    goes_on_ = name == deck_.phase;
-    if (goes_on_) first_step_ = last_step_ = simulation.steps();
+    samples_.phase_begins(name, simulation.steps());
+    if (samples_.goes_on()) last_step_ = simulation.steps();
   }
-  bool is_due(std::int64_t step) const override {
-    return goes_on_ && step > first_step_ && (step - first_step_) % every_ == 0;
-  }
+  bool is_due(std::int64_t step) const override { return samples_.is_due(step); }
 
   void sample(const Simulation& simulation) override {
     const std::vector<WallLoad> loads =
@@ -92,7 +87,7 @@ class FlowEnergyWatch : public Watch {
     WallLoad load;
     double power = 0.0;
     for (std::size_t w = 0; w < walls.size(); ++w) {
-      if (std::find(deck_.walls.begin(), deck_.walls.end(), walls[w].name) == deck_.walls.end()) continue;
+      if (!is_of(walls, w, deck_.walls)) continue;
       motion = walls[w].placement.motion;
       load.force += loads[w].force;
       load.torque += loads[w].torque;
@@ -109,7 +104,7 @@ class FlowEnergyWatch : public Watch {
   }
 
   void phase_ends(const Simulation& simulation) override {
-    if (!goes_on_) return;
+    if (!samples_.goes_on()) return;
     if (last_step_ < simulation.steps()) sample(simulation);
     mass_ = discharged_mass(simulation.comm(), std::numeric_limits<double>::infinity(), simulation.materials(),
                             simulation.mass_unit(), simulation.particles(), {});
@@ -128,8 +123,7 @@ class FlowEnergyWatch : public Watch {
  private:
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor& v) {
-    v("goes_on", self.goes_on_);
-    v("first_step", self.first_step_);
+    v("samples", self.samples_);
     v("last_step", self.last_step_);
     v("last", self.last_);
     v("way", self.way_);
@@ -142,7 +136,7 @@ class FlowEnergyWatch : public Watch {
   /// By the trapezoidal rule, but up to the first sample, which counts for all of the time before it.
   void advance(const Simulation& simulation, const BladeRates& now) {
     const double half = 0.5 * static_cast<double>(simulation.steps() - last_step_) * simulation.time_step().step;
-    const BladeRates before = last_step_ == first_step_ ? now : last_;
+    const BladeRates before = last_step_ == samples_.first_step() ? now : last_;
     way_ += half * (before.speed + now.speed);
     angle_ += half * (before.spin + now.spin);
     work_ += half * (before.power + now.power);
@@ -151,11 +145,9 @@ class FlowEnergyWatch : public Watch {
   }
 
   FlowEnergyDeck deck_;
-  std::int64_t every_;                  ///< steps
+  PhaseSamples samples_;
   std::unique_ptr<TimeSeries> series_;  ///< rank 0
-  bool goes_on_ = false;
-  std::int64_t first_step_ = 0;  ///< of the phase
-  std::int64_t last_step_ = 0;   ///< of the last sample, or first_step_
+  std::int64_t last_step_ = 0;          ///< of the last sample, or when the phase began
   BladeRates last_;
   double way_ = 0.0;            ///< m
   double angle_ = 0.0;          ///< rad

@@ -15,6 +15,7 @@ class PhaseSamples {
   PhaseSamples(std::string phase, double interval, double dt);
 
   void phase_begins(const std::string& name, std::int64_t step);
+  bool goes_on() const { return goes_on_; }
   bool is_due(std::int64_t step) const { return goes_on_ && step > first_step_ && (step - first_step_) % every_ == 0; }
   std::int64_t first_step() const { return first_step_; }  ///< of the phase
 
@@ -30,6 +31,9 @@ class PhaseSamples {
   std::int64_t first_step_ = 0;
   bool goes_on_ = false;
 };
+
+/// Whether a wall has one of these names, or moves with one that has.
+bool is_of(const std::vector<Wall>& walls, std::size_t wall, const std::vector<std::string>& names);
 
 /// Collective. What the grains do to the walls of these names, and to those that move with them, together.
 WallLoad load_of(const Simulation& simulation, const std::vector<std::string>& walls);

@@ -65,7 +65,9 @@ class TiltOnsetWatch : public Watch {
  public:
   explicit TiltOnsetWatch(const TiltOnsetDeck& deck) : onset_(deck) {}
 
-  void phase_begins(const Simulation& simulation, const std::string&) override { sample_while_tilting(simulation, onset_); }
+  void phase_begins(const Simulation& simulation, const std::string&) override {
+    sample_while_tilting(simulation, onset_);
+  }
   void look(const Simulation& simulation) override { sample_while_tilting(simulation, onset_); }
   bool has_seen(PhaseUntil condition) const override {
     return condition == PhaseUntil::tilt_onset && onset_.onset().has_value();

@@ -222,18 +222,17 @@ TEST_F(LidMeasurements, GoOnAfterAStop) {
   for (const auto& [text, file] :
        {std::pair{std::string(layer) + ring, "/shear.csv"}, std::pair{pressed_layer(), "/compression.csv"}}) {
     const auto whole = run(world_, text, "whole");
-    EXPECT_FALSE(run(world_, text, "parts", 10));
+    EXPECT_FALSE(run(world_, text, "parts", 30));
     int stops = 1;
     std::optional<Summary> parts;
-    for (; !parts; ++stops) parts = run(world_, text, "parts", 9, true);
-    EXPECT_GT(stops, 3);
+    for (; !parts; ++stops) parts = run(world_, text, "parts", 25, true);
+    EXPECT_GT(stops, 2);
+    if (!world_.is_root()) continue;
     for (const char* key :
          {"internal_friction_deg", "internal_friction_peak_deg", "compression_modulus_Pa", "compression_porosity"}) {
       EXPECT_EQ(parts->figures[key], whole->figures[key]) << key;
     }
-    if (world_.is_root()) {
-      EXPECT_EQ(file_bytes(folder("parts") + file), file_bytes(folder("whole") + file));
-    }
+    EXPECT_EQ(file_bytes(folder("parts") + file), file_bytes(folder("whole") + file));
   }
 }
 

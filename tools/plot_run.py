@@ -3,8 +3,8 @@
 
 Usage: tools/plot_run.py DIR [--output DIR] [--along AXIS] [--part SHARE]
 
-DIR is the output directory of a run; the pictures discharge, energies, walls, heat, grains and temperatures (both of
-the last snapshot) are written beside its files, or to the directory of --output. What the run does not have (no discharge
+DIR is the output directory of a run; the pictures discharge, energies, walls, heat, grains, speeds and temperatures (these
+three of the last snapshot) are written beside its files, or to the directory of --output. What the run does not have (no discharge
 measured, no wall touched, no heat) is not drawn.
 """
 import argparse
@@ -33,6 +33,7 @@ def pictures_of(run, chosen):
     if run.snapshot_paths:
         last = repose.Snapshot(run.snapshot_paths[-1])
         yield "grains", plots.grains(last, chosen.along, chosen.part)
+        yield "speeds", plots.speeds(last, chosen.along, chosen.part)
         yield "temperatures", plots.temperatures(last, chosen.along, chosen.part)
 
 

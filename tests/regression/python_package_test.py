@@ -184,6 +184,12 @@ class Package(SharedFolderTest):
         self.assertTrue(np.array_equal(curve.get_xdata(), self.run_.series["time_s"]))
         drawn, mass = curve.get_ydata(), self.run_.series["discharged_mass_kg"]
         self.assertTrue(np.allclose(drawn / drawn.max(), mass / mass.max()))
+        snapshot = self.run_.snapshots[-1]
+        speed = np.linalg.norm(snapshot.velocity, axis=1)
+        shown = plots.speeds(snapshot).axes[0].collections[0]
+        factor = shown.get_clim()[1] / np.percentile(speed, 99.0)
+        self.assertIn(round(math.log10(factor), 9), (0, 3, 6, 9))
+        self.assertAlmostEqual(shown.get_array().max() / (factor * speed.max()), 1.0, places=12)
 
     def test_the_example_draws_a_figure(self):
         picture = self.path("example.png")

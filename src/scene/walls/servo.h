@@ -11,9 +11,8 @@ namespace repose {
 
 /// How grains withstand a wall that presses on them along an axis, or turns against them about one.
 struct WallResistance {
-  double force = 0.0;  ///< N, of the grains against the wall; N m where it turns
-  double per_speed =
-      0.0;  ///< N s/m, or N m s: by how much the force grows until the next look, over the speed until then
+  double force = 0.0;      ///< N, of the grains against the wall; N m where it turns
+  double per_speed = 0.0;  ///< N s/m, or N m s: growth of the force until the next look, over the speed until then
 };
 
 /// The one way in which a servo moves a body.

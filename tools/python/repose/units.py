@@ -1,9 +1,9 @@
 """How figures are shown: names without their units' endings, in units that a person reads."""
 
 # ending of a name, unit shown, factor from SI
-UNITS = (("_kg_m3", "kg/m³", 1.0), ("_kg_s", "g/s", 1e3), ("_kg", "g", 1e3), ("_deg_s", "degrees/s", 1.0),
+UNITS = (("_kg_m3", "kg/m³", 1.0), ("_J_kg", "mJ/g", 1.0), ("_kg_s", "g/s", 1e3), ("_kg", "g", 1e3), ("_deg_s", "degrees/s", 1.0),
          ("_deg", "degrees", 1.0),
-         ("_m", "mm", 1e3), ("_s", "s", 1.0), ("_J", "J", 1.0), ("_N", "N", 1.0), ("_K", "K", 1.0))
+         ("_m", "mm", 1e3), ("_s", "s", 1.0), ("_J", "J", 1.0), ("_N", "N", 1.0), ("_Pa", "Pa", 1.0), ("_K", "K", 1.0))
 
 
 def words(name):

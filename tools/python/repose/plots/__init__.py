@@ -9,7 +9,7 @@ from repose.plots.corner import corner
 from repose.plots.course import discharge, energies, walls
 from repose.plots.curves import curve
 from repose.plots.effects import effect, effects
-from repose.plots.grains import grains
+from repose.plots.grains import grains, speeds
 from repose.plots.heat import heat, temperatures
 from repose.plots.lines import line, lines
 from repose.plots.plane import contours, crossing, plane
@@ -17,7 +17,7 @@ from repose.plots.search import search
 from repose.plots.shear import shear
 
 __all__ = ["calibration", "compression", "contours", "corner", "crossing", "curve", "discharge", "effect", "effects",
-           "energies", "grains", "heat", "line", "lines", "plane", "search", "shear", "temperatures", "walls"]
+           "energies", "grains", "heat", "line", "lines", "plane", "search", "shear", "speeds", "temperatures", "walls"]
 
 
 def calibration(study):

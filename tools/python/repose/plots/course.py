@@ -103,12 +103,16 @@ def energies(run):
 
 
 def forces_along_gravity(run, loads, series):
-    """Of each wall that is touched, in N, at the times that it is there."""
+    """Of each wall that is touched, with those that move with it, in N, at the times that it is there."""
     gravity = np.array(run.deck["gravity"])
     down = gravity / np.linalg.norm(gravity) if gravity.any() else np.array((0.0, 0.0, -1.0))
     forces = {}
-    for wall in run.deck.get("wall", ()):
-        force = sum(down[k] * loads[f"{wall['name']}_force_{'xyz'[k]}_N"] for k in range(3))
+    walls = run.deck.get("wall", ())
+    for wall in walls:
+        if wall.get("moves_with"):
+            continue
+        body = [wall["name"], *(other["name"] for other in walls if other.get("moves_with") == wall["name"])]
+        force = sum(down[k] * loads[f"{name}_force_{'xyz'[k]}_N"] for name in body for k in range(3))
         if np.abs(force).max() > 0.0:
             forces[wall["name"]] = np.where(is_present(wall, loads["time_s"], series, run.deck), force, np.nan)
     return forces

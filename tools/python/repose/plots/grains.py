@@ -19,6 +19,7 @@ class Shade:
     values: np.ndarray
     label: str
     colours: str
+    greatest: float = None  # with a colour of its own; greater ones have the same
 
 
 def seen(snapshot, axis, part, shade):
@@ -42,6 +43,8 @@ def seen(snapshot, axis, part, shade):
     discs = EllipseCollection(2.0 * factor * radii, 2.0 * factor * radii, np.zeros(len(radii)), units="xy",
                               offsets=factor * places, offset_transform=axes.transData, array=shade.values[order],
                               cmap=shade.colours, linewidths=0.1, edgecolors="0.3", rasterized=True)
+    if shade.greatest is not None:
+        discs.set_clim(0.0, shade.greatest)
     axes.add_collection(discs)
     axes.set_xlim(factor * low[0], factor * high[0])
     axes.set_ylim(factor * low[1], factor * high[1])
@@ -58,3 +61,12 @@ def grains(snapshot, axis="y", part=1.0):
     """The grains as `seen`, by their numbers: those of a fill are numbered from its bottom upwards, so that the colours show
     what has moved where."""
     return seen(snapshot, axis, part, Shade(snapshot.id, "number of the grain", "viridis"))
+
+
+@styled
+def speeds(snapshot, axis="y", part=1.0):
+    """The grains as `seen`, by their speeds, up to that of the fastest hundredth: what shears and what rests."""
+    speed = np.linalg.norm(snapshot.velocity, axis=1)
+    fast = float(np.percentile(speed, 99.0)) if len(speed) else 0.0
+    factor, unit = prefixed(fast, "m/s")
+    return seen(snapshot, axis, part, Shade(factor * speed, f"speed, {unit}", "viridis", factor * fast))

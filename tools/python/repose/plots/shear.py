@@ -15,7 +15,7 @@ def shear(tests):
         locus.plot(1e-3 * test.steady_normal, 1e-3 * test.steady_shear, "o", color=line.get_color())
     course.set_xlabel("way, mm")
     course.set_ylabel("shear stress, kPa")
-    course.legend(title="normal stress")
+    course.legend(title="normal stress", ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.2))
     if len(tests) > 1:
         angle, cohesion = steady_locus(tests)
         ends = np.array([0.0, max(test.steady_normal for test in tests)])

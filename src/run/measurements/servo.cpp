@@ -31,13 +31,14 @@ std::string lines(const Figures& figures) {
   const auto servos = figures.find("servos");
   if (servos == figures.end() || !servos->is_object()) return {};
   std::string text;
-  for (const auto& [wall, servo] : servos->items()) {
-    const auto number = [&](const char* key) { return servo[key].template get<double>(); };
+  for (const auto& item : servos->items()) {  // clang 14 captures no part of a binding
+    const Figures& servo = item.value();
+    const auto number = [&servo](const char* key) { return servo[key].get<double>(); };
     text += servo.contains("way_m")
-                ? fmt::format("wall {} has gone {:.6g} m and presses with {:.5g} N of {:.5g} N\n", wall,
+                ? fmt::format("wall {} has gone {:.6g} m and presses with {:.5g} N of {:.5g} N\n", item.key(),
                               number("way_m"), number("force_N"), number("target_N"))
-                : fmt::format("wall {} has turned by {:.6g} degrees and presses with {:.5g} N m of {:.5g} N m\n", wall,
-                              number("angle_deg"), number("torque_Nm"), number("target_Nm"));
+                : fmt::format("wall {} has turned by {:.6g} degrees and presses with {:.5g} N m of {:.5g} N m\n",
+                              item.key(), number("angle_deg"), number("torque_Nm"), number("target_Nm"));
   }
   return text;
 }

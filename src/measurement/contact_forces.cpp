@@ -13,6 +13,9 @@ namespace {
 
 constexpr double no_bound = std::numeric_limits<double>::infinity();
 
+/// s; see `moment`, but so short that the forces on a particle add up to that of the run to the last digits.
+constexpr double instant = 1e-16;
+
 /// Which contacts follow the same law, by two indices that say which.
 using OfLaw = std::map<std::array<std::int32_t, 2>, std::vector<std::int32_t>>;
 
@@ -35,7 +38,7 @@ void evaluate(VectorLevel level, const PairParameters& law, std::span<const Touc
     block.second[slot] = block.first[slot] + 1;
     set_history(block, slot, is_used ? pairs[static_cast<std::size_t>(chosen[lane])].history : ContactHistory{});
   }
-  alarms += evaluate_pairs(level, blocks, {}, law, moment, no_bound, copies.record.data(), copies.sum.data());
+  alarms += evaluate_pairs(level, blocks, {}, law, instant, no_bound, copies.record.data(), copies.sum.data());
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     forces[static_cast<std::size_t>(chosen[k])] = force_of(copies.sum[2 * k], copies.record[2 * k]);
   }
@@ -71,7 +74,7 @@ std::vector<Vec3> wall_contact_forces(VectorLevel level, std::span<const Wall> w
   }
   BigVector<ForceSum> sums(records.size());
   for (const auto& [of, chosen] : of_law) {
-    const WallLaw law = wall_law(materials, of[0], walls[static_cast<std::size_t>(of[1])], moment, no_bound);
+    const WallLaw law = wall_law(materials, of[0], walls[static_cast<std::size_t>(of[1])], instant, no_bound);
     alarms += evaluate_walls(level, law, contacts, chosen, records.data(), sums.data());
   }
   std::vector<Vec3> forces;

@@ -6,7 +6,7 @@ namespace repose {
 
 /// s, by which springs go on before a contact is looked at: one that slides is at Coulomb's limit, and has no dashpot
 /// once it has gone on beyond it, by however little; what sticks is not to notice it.
-inline constexpr double moment = 1e-17;
+inline constexpr double moment = 1e-12;
 
 /// N, that a sum of contacts with a particle holds.
 inline Vec3 force_of(const ForceSum& sum, const ParticleRecord& p) {

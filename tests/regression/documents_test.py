@@ -65,7 +65,7 @@ STANDS_FOR = {"DECK": "input/discharge_quick.toml", "DIR": "results/a_run", "res
               "results/validation/carbohsp_mono/run_0001117900.hdf": "results/validation/carbohsp_mono/run_*.hdf"}
 # Beginnings of commands, and why they are not run.
 NOT_RUN = {}
-FORM = re.compile(r"\[|\.\.\.|\b(SCRIPT|TUTORIALS|DECK|FILE|FILES|DIR|TEST|TOOL|SNAPSHOT|RESULT)\b|\bA\.csv\b|<")
+FORM = re.compile(r"(?<!=)\[|\.\.\.|\b(SCRIPT|TUTORIALS|DECK|FILE|FILES|DIR|TEST|TOOL|SNAPSHOT|RESULT)\b|\bA\.csv\b|<")
 BEGINS = re.compile(r"(\w+=\S+ )*((mpirun|mpiexec)( -\S+ \S+)* )?((build/release/src/)?repose(?!:) \S|(tools|benchmarks/\w+)/\w+\.py( |$))")
 LONGEST = 120  # s for one command
 

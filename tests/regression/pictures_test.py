@@ -42,7 +42,7 @@ class Pictures(SharedFolderTest):
         output = os.path.join(self.folder, "pictures")
         done = self.tool("plot_run.py", self.run_folder, "--output", output)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        names = [f"{name}.{ending}" for name in ("discharge", "energies", "grains", "walls") for ending in ("pdf", "png")]
+        names = [f"{name}.{ending}" for name in ("discharge", "energies", "grains", "speeds", "walls") for ending in ("pdf", "png")]
         self.assertEqual(sorted(os.listdir(output)), sorted(names))
         for name in names:
             path = os.path.join(output, name)

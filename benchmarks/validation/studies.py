@@ -6,6 +6,7 @@ import math
 import pathlib
 import subprocess
 
+import contours
 import sand_layer
 from bench import ROOT, Bench, figures, flat_floor, means_of, repose, save, vessel, with_seeds, write
 
@@ -16,7 +17,7 @@ STOPPED = 75  # exit code of a run that was stopped with a checkpoint
 def full(options):
     """Cases of input/validation.toml at full size, one after the other on all ranks."""
     output = options.work / "validation"
-    for case in options.cases:
+    for case in options.cases or ["carbohsp_mono", "carbohsp_multi", "sand_multi"]:
         command = ["mpirun", "-n", str(options.ranks), options.program, "validate", str(ROOT / "input" / "validation.toml"),
                    "--case", case, "--output", str(output)]
         if options.time_limit:
@@ -74,7 +75,7 @@ def sizes(options):
     write(options, "sizes", summaries, rows)
 
 
-STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study}
+STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study, "contours": contours.study}
 
 
 def main():
@@ -84,8 +85,8 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "validation")
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "validation")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time, one rank each")
-    parser.add_argument("--ranks", type=int, default=2, help="of a case of full size")
-    parser.add_argument("--cases", nargs="+", default=["carbohsp_mono", "carbohsp_multi", "sand_multi"], help="of full size")
+    parser.add_argument("--ranks", type=int, default=2, help="of a case of full size, and of contours")
+    parser.add_argument("--cases", nargs="+", help="of full size, or of contours; default: all")
     parser.add_argument("--time-limit", help="of a case of full size: HH:MM:SS")
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.0, 12.0], help="of the funnel, mm")

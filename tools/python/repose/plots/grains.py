@@ -39,7 +39,7 @@ def seen(snapshot, axis, part, shade):
     factor, unit = prefixed((high - low).max(), "m")
     width, height = factor * (high - low)
     scale = min(WIDTH / width, 1.6 * WIDTH / height)
-    figure, axes = new_figure(figsize=(max(width * scale, 1.2) + 1.7, height * scale + 0.6))
+    figure, axes = new_figure(figsize=(max(width * scale, 1.2) + 2.0, height * scale + 0.6))
     discs = EllipseCollection(2.0 * factor * radii, 2.0 * factor * radii, np.zeros(len(radii)), units="xy",
                               offsets=factor * places, offset_transform=axes.transData, array=shade.values[order],
                               cmap=shade.colours, linewidths=0.1, edgecolors="0.3", rasterized=True)

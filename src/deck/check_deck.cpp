@@ -147,8 +147,7 @@ void check_retained_slope(const RetainedSlopeDeck& r, DeckErrors& errors) {
 
 void check_shear(const ShearDeck& s, const Deck& deck, DeckErrors& errors) {
   const std::string section = "measurement.shear";
-  for (const std::string& wall : s.walls) find_wall(section + ".walls", wall, deck, errors);
-  if (s.walls.empty()) errors.add(section + ".walls", "\"walls\" names none; name those of one half of the cell");
+  find_walls(section + ".walls", s.walls, "one half of the cell", deck, errors);
   check_phase_names(section, {s.phase}, deck, errors);
   if (s.type == ShearType::translation) {
     check_direction(section, "direction", s.direction, errors);

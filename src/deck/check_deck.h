@@ -35,6 +35,11 @@ void check_direction(const std::string& section, const char* key, const Vec3& di
 /// The wall of this name; null, and a note at `key`, when there is none (a part of check_deck).
 const WallDeck* find_wall(const std::string& key, const std::string& name, const Deck& deck, DeckErrors& errors);
 
+/// The walls of these names, null where there is none; notes those, and at `key` that it names none but should name
+/// those of `whom` (a part of check_deck).
+std::vector<const WallDeck*> find_walls(const std::string& key, const std::vector<std::string>& names,
+                                        const std::string& whom, const Deck& deck, DeckErrors& errors);
+
 /// That factors over time have a time each, and these rise (a part of check_deck).
 void check_course(const std::string& section, const std::vector<double>& times, const std::vector<double>& factors,
                   DeckErrors& errors);

@@ -69,10 +69,9 @@ void check_blade_wall(const std::string& key, const WallDeck& wall, DeckErrors& 
 
 void check_flow_energy(const FlowEnergyDeck& f, const Deck& deck, DeckErrors& errors) {
   const std::string section = "measurement.flow_energy";
-  if (f.walls.empty()) errors.add(section + ".walls", "\"walls\" names none; name those of the blade");
-  for (std::size_t k = 0; k < f.walls.size(); ++k) {
-    const std::string key = fmt::format("{}.walls.{}", section, k);
-    if (const WallDeck* wall = find_wall(key, f.walls[k], deck, errors)) check_blade_wall(key, *wall, errors);
+  const auto walls = find_walls(section + ".walls", f.walls, "the blade", deck, errors);
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (walls[k] != nullptr) check_blade_wall(fmt::format("{}.walls.{}", section, k), *walls[k], errors);
   }
   check_phase_names(section, {f.phase}, deck, errors);
 }

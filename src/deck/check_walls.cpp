@@ -63,6 +63,18 @@ class WallPresence {
     }
   }
 
+  /// Those that move with one that has just been added or removed are where it is.
+  void take_along(const std::string& leader) {
+    for (const WallDeck& wall : deck_.walls) {
+      if (wall.moves_with != leader) continue;
+      if (present_.contains(leader)) {
+        present_.insert(wall.name);
+      } else {
+        present_.erase(wall.name);
+      }
+    }
+  }
+
  private:
   const Deck& deck_;
   std::set<std::string> present_;
@@ -86,6 +98,16 @@ const WallDeck* find_wall(const std::string& key, const std::string& name, const
       names.empty() ? "the deck has none" : fmt::format("the nearest is \"{}\"", nearest(name, names));
   errors.add(key, fmt::format("unknown wall \"{}\"; {}", name, hint));
   return nullptr;
+}
+
+std::vector<const WallDeck*> find_walls(const std::string& key, const std::vector<std::string>& names,
+                                        const std::string& whom, const Deck& deck, DeckErrors& errors) {
+  if (names.empty()) errors.add(key, fmt::format("\"walls\" names none; name those of {}", whom));
+  std::vector<const WallDeck*> found;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    found.push_back(find_wall(fmt::format("{}.{}", key, k), names[k], deck, errors));
+  }
+  return found;
 }
 
 void check_wall_shapes(const Deck& deck, DeckErrors& errors) {
@@ -115,9 +137,11 @@ void check_phases(const Deck& deck, DeckErrors& errors) {
     for (std::size_t k = 0; k < phase.remove_walls.size(); ++k) {
       walls.remove(fmt::format("{}.remove_walls.{}", section, k), phase.remove_walls[k]);
     }
+    for (const std::string& name : phase.remove_walls) walls.take_along(name);
     for (std::size_t k = 0; k < phase.add_walls.size(); ++k) {
       walls.add(fmt::format("{}.add_walls.{}", section, k), phase.add_walls[k]);
     }
+    for (const std::string& name : phase.add_walls) walls.take_along(name);
   }
 }
 

@@ -14,8 +14,7 @@ double shear_force(const ShearDeck& deck, const WallLoad& load) {
   const double inner = deck.inner_radius, outer = deck.outer_radius;
   const double mean_radius =
       2.0 / 3.0 * (outer * outer * outer - inner * inner * inner) / (outer * outer - inner * inner);
-  const Vec3 torque = load.torque - cross(deck.axis_origin, load.force);
-  return dot(unit_vector(deck.axis_direction), torque) / mean_radius;
+  return torque_about(load, deck.axis_origin, unit_vector(deck.axis_direction)) / mean_radius;
 }
 
 }  // namespace

@@ -14,6 +14,11 @@ struct WallLoad {
   Vec3 torque;  ///< N m, about the origin of coordinates
 };
 
+/// N m, about the axis through `origin` (m) along `axis` (unit).
+inline double torque_about(const WallLoad& load, const Vec3& origin, const Vec3& axis) {
+  return dot(axis, load.torque - cross(origin, load.force));
+}
+
 /// Collective. The load on each wall, from the contact law at the present positions, velocities and histories, which
 /// stay as they are; the same bits on any number of ranks. Velocities are those of the full step, while the time loop
 /// takes half-step ones: the dashpots differ by that.

@@ -45,8 +45,8 @@ void MovingScene::set_wall_present(const std::string& name, bool present) {
 }
 
 bool MovingScene::is_body_present(std::size_t leader) const {
-  const std::vector<std::size_t> body = body_of(walls_, leader);
-  return std::any_of(body.begin(), body.end(), [&](std::size_t w) { return walls_[w].present; });
+  if (walls_[leader].present) return true;
+  return std::any_of(walls_.begin(), walls_.end(), [&](const Wall& w) { return w.present && w.moves_with == leader; });
 }
 
 bool MovingScene::is_servo_due(std::size_t wall, std::int64_t step) const {

@@ -5,33 +5,17 @@
 #include <limits>
 
 #include "measurement/energies.h"
-#include "measurement/wall_loads.h"
 #include "scene/walls/unit_vector.h"
+#include "simulation/body_load.h"
 
 namespace repose {
 namespace {
 
-/// Collective. Of the grains on a wall and those that move with it.
-WallLoad load_on(const std::string& name, const Simulation& simulation) {
-  const std::vector<Wall>& walls = simulation.walls();
-  const std::vector<WallLoad> loads =
-      measure_wall_loads(simulation.comm(), simulation.vector_level(), walls, simulation.materials(),
-                         simulation.particles(), simulation.wall_contacts());
-  const auto wall = std::find_if(walls.begin(), walls.end(), [&](const Wall& w) { return w.name == name; });
-  WallLoad load;
-  for (const std::size_t w : body_of(walls, static_cast<std::size_t>(wall - walls.begin()))) {
-    load.force += loads.at(w).force;
-    load.torque += loads.at(w).torque;
-  }
-  return load;
-}
-
 /// Collective. Whether the force or the torque that the phase waits for is reached.
 bool is_load_reached(const PhaseDeck& phase, const Simulation& simulation) {
-  const WallLoad load = load_on(phase.wall, simulation);
+  const WallLoad load = load_on(simulation, {phase.wall});
   if (phase.until == PhaseUntil::wall_force) return norm(load.force) > phase.force;
-  const Vec3 torque = load.torque - cross(phase.axis_origin, load.force);
-  return std::fabs(dot(unit_vector(phase.axis_direction), torque)) > phase.torque;
+  return std::fabs(torque_about(load, phase.axis_origin, unit_vector(phase.axis_direction))) > phase.torque;
 }
 
 }  // namespace

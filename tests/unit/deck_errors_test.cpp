@@ -500,6 +500,14 @@ TEST(DeckErrors, WallsThatMoveWithOthers) {
   says(and_also("wall.2.motion" + motion), "has no [[wall.motion]] of its own; remove one of the two");
   says(and_also("wall.2.servo={direction=[0,0,1], force=1, max_speed=0.1, max_way=1}"),
        "has no [wall.servo] of its own; remove one of the two");
+  // The gate, which a phase adds, takes the tube along.
+  const std::vector<std::string> tube_with_gate = {"wall.2.motion" + motion, "wall.1.moves_with='gate'",
+                                                   "wall.1.present=false"};
+  for (const char* const removed : {"['tube']", "['gate', 'tube']"}) {
+    std::vector<std::string> all = tube_with_gate;
+    all.push_back(std::string("phase.flow.remove_walls=") + removed);
+    EXPECT_EQ(message_of(example_deck, all), "no error") << removed;
+  }
 }
 
 TEST(DeckErrors, ServosThatTurnAndPhasesThatWaitForTorques) {

@@ -9,6 +9,7 @@
 #include "comm/order_independent_sum.h"
 #include "run/measurements/measurement.h"
 #include "run/measurements/phase_samples.h"
+#include "simulation/body_load.h"
 
 namespace repose {
 namespace {
@@ -39,7 +40,7 @@ class CompressionWatch : public Watch {
   void sample(const Simulation& simulation) override {
     const auto lid = std::find_if(simulation.walls().begin(), simulation.walls().end(),
                                   [&](const Wall& wall) { return wall.name == deck_.lid; });
-    const double force = -dot(lid->servo->axis().direction, load_of(simulation, {deck_.lid}).force);
+    const double force = -dot(lid->servo->axis().direction, load_on(simulation, {deck_.lid}).force);
     const double stress = force / deck_.area;
     const double height = deck_.height - lid->servo->way();
     const double porosity = 1.0 - solid_volume(simulation) / (deck_.area * height);

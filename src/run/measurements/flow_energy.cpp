@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "measurement/discharged_mass.h"
 #include "run/measurements/measurement.h"
 #include "run/measurements/phase_samples.h"
+#include "simulation/body_load.h"
 
 namespace repose {
 namespace {
@@ -50,7 +50,7 @@ BladeResistance resistance_of(const SurfaceMotion& motion, const WallLoad& load)
   const Vec3 along = (1.0 / spin) * motion.angular_velocity;
   const Vec3 point = (1.0 / spin / spin) * cross(motion.angular_velocity, motion.velocity);
   const double sense = dot(motion.velocity, along) < 0.0 ? -1.0 : 1.0;
-  return {.force = -sense * dot(load.force, along), .torque = -dot(load.torque - cross(point, load.force), along)};
+  return {.force = -sense * dot(load.force, along), .torque = -torque_about(load, point, along)};
 }
 
 BladeRates rates_of(const SurfaceMotion& motion) {
@@ -106,8 +106,7 @@ class FlowEnergyWatch : public Watch {
   void phase_ends(const Simulation& simulation) override {
     if (!samples_.goes_on()) return;
     if (last_step_ < simulation.steps()) sample(simulation);
-    mass_ = discharged_mass(simulation.comm(), std::numeric_limits<double>::infinity(), simulation.materials(),
-                            simulation.mass_unit(), simulation.particles(), {});
+    mass_ = total_mass(simulation.comm(), simulation.materials(), simulation.mass_unit(), simulation.particles(), {});
   }
 
   void finish(const Simulation&, const ReadFile&, Figures& figures) override {

@@ -10,6 +10,7 @@
 #include "measurement/shear_stress.h"
 #include "run/measurements/measurement.h"
 #include "run/measurements/phase_samples.h"
+#include "simulation/body_load.h"
 
 namespace repose {
 namespace {
@@ -40,13 +41,12 @@ class ShearWatch : public Watch {
 
   void sample(const Simulation& simulation) override {
     const double gravity = norm(simulation.scene().gravity());
-    const auto weight_below = [&](double height) {
-      return gravity * discharged_mass(simulation.comm(), height, simulation.materials(), simulation.mass_unit(),
-                                       simulation.particles(), {});
-    };
-    const double below = weight_below(deck_.plane_height);
-    const double above = weight_below(std::numeric_limits<double>::infinity()) - below;
-    const ShearStress stress = shear_stress(deck_, load_of(simulation, deck_.walls), below, above);
+    const double below = discharged_mass(simulation.comm(), deck_.plane_height, simulation.materials(),
+                                         simulation.mass_unit(), simulation.particles(), {});
+    const double all =
+        total_mass(simulation.comm(), simulation.materials(), simulation.mass_unit(), simulation.particles(), {});
+    const ShearStress stress =
+        shear_stress(deck_, load_on(simulation, deck_.walls), gravity * below, gravity * (all - below));
     agree_after_root(simulation.comm(), [&] {
       const double time = static_cast<double>(simulation.steps() - samples_.first_step()) * simulation.time_step().step;
       time_.push_back(time);

@@ -82,8 +82,13 @@ std::vector<std::size_t> body_of(std::span<const Wall> walls, std::size_t leader
 void place(Wall& wall, double dt) { put(wall, placement_of(wall, dt)); }
 
 void place(std::span<Wall> walls, double dt) {
-  for (Wall& wall : walls) {
-    if (wall.moves()) put(wall, placement_of(wall.moves_with ? walls[*wall.moves_with] : wall, dt));
+  for (std::size_t leader = 0; leader < walls.size(); ++leader) {
+    if (!walls[leader].moves() || walls[leader].moves_with) continue;
+    const Placement placement = placement_of(walls[leader], dt);
+    put(walls[leader], placement);
+    for (Wall& wall : walls) {
+      if (wall.moves_with == leader) put(wall, placement);
+    }
   }
 }
 

@@ -8,9 +8,9 @@
 
 #include "deck/read_deck.h"
 #include "measurement/wall_loads.h"
+#include "servo_runs.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
-#include "simulation_counts.h"
 #include "support/scenes.h"
 
 namespace repose::test {
@@ -74,43 +74,19 @@ until = "steps"
 steps = 4000
 )";
 
-struct Outcome {
-  std::vector<std::string> ended_by;
-  std::vector<std::string> hashes;  ///< at the end of each phase
-  std::vector<double> ways;         ///< m, in the last phase
-  std::vector<double> forces;       ///< N, on the plate along its axis, in the last phase
-};
-
-Outcome run(const Communicator& comm, const std::vector<std::string>& overrides = {},
-            VectorLevel level = best_vector_level()) {
-  const Deck deck = read_deck(plate_on_bed, "plate.toml", overrides);
-  Simulation s(comm, deck, {}, level);
-  Outcome outcome;
-  for (const PhaseDeck& phase_deck : deck.phases) {
-    const Phase phase(phase_deck, s);
-    while (true) {
-      if (const auto ended = phase.ended_by(s, deck.run.check_every)) {
-        outcome.ended_by.push_back(*ended);
-        break;
-      }
-      s.advance(100);
-      s.check_guards();
-      if (phase_deck.name != "rest") continue;
-      outcome.ways.push_back(s.walls()[1].servo->way());
-      outcome.forces.push_back(
-          measure_wall_loads(comm, level, s.walls(), s.materials(), s.particles(), s.wall_contacts())[1].force.z);
-    }
-    outcome.hashes.push_back(hash_of(s));
-  }
-  return outcome;
+/// With the forces on the plate along its axis.
+ServoOutcome run(const Communicator& comm, const std::vector<std::string>& overrides = {},
+                 VectorLevel level = best_vector_level()) {
+  return run_servo(comm, plate_on_bed, overrides, level,
+                   [](const std::vector<WallLoad>& walls) { return walls[1].force.z; });
 }
 
 TEST(Servo, APlateOfGivenWeightComesToRestOnABed) {
   const Communicator world(MPI_COMM_WORLD);
-  const Outcome outcome = run(world);
+  const ServoOutcome outcome = run(world);
   ASSERT_EQ(outcome.ended_by.size(), 3U);
   EXPECT_EQ(outcome.ended_by[1], "servo");
-  for (const double force : outcome.forces) EXPECT_NEAR(force, 0.04, 0.04 * 1e-3);
+  for (const double force : outcome.loads) EXPECT_NEAR(force, 0.04, 0.04 * 1e-3);
   for (const double way : outcome.ways) EXPECT_NEAR(way, outcome.ways.front(), 1e-6);  // 1e-3 of a grain
   EXPECT_GT(outcome.ways.front(), 1e-3);
 }
@@ -118,12 +94,12 @@ TEST(Servo, APlateOfGivenWeightComesToRestOnABed) {
 TEST(Servo, SameBitsOnAllRanksAsOnOne) {
   const Communicator world(MPI_COMM_WORLD);
   const Communicator self(MPI_COMM_SELF);
-  const Outcome together = run(world);
+  const ServoOutcome together = run(world);
   if (world.is_root()) {
-    const Outcome alone = run(self);
+    const ServoOutcome alone = run(self);
     EXPECT_EQ(alone.hashes, together.hashes);
     EXPECT_EQ(alone.ways, together.ways);
-    EXPECT_EQ(alone.forces, together.forces);
+    EXPECT_EQ(alone.loads, together.loads);
   }
   world.barrier();
 }
@@ -132,8 +108,8 @@ TEST(Servo, SameBitsWhateverTheListsAndTheVectors) {
   const Communicator world(MPI_COMM_WORLD);
   const Communicator self(MPI_COMM_SELF);
   if (world.size() == 1) {
-    const Outcome plain = run(self);
-    for (const Outcome& other :
+    const ServoOutcome plain = run(self);
+    for (const ServoOutcome& other :
          {run(self, {"neighbours.skin=0.8", "neighbours.inner_skin=0.1"}), run(self, {}, VectorLevel::sse2)}) {
       EXPECT_EQ(other.hashes, plain.hashes);
       EXPECT_EQ(other.ways, plain.ways);

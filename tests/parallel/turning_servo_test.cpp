@@ -7,9 +7,9 @@
 
 #include "deck/read_deck.h"
 #include "measurement/wall_loads.h"
+#include "servo_runs.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
-#include "simulation_counts.h"
 #include "support/scenes.h"
 
 namespace repose::test {
@@ -214,59 +214,34 @@ until = "steps"
 steps = 4000
 )";
 
-struct Outcome {
-  std::vector<std::string> ended_by;
-  std::vector<std::string> hashes;  ///< at the end of each phase
-  std::vector<double> angles;       ///< rad, in the last phase
-  std::vector<double> torques;      ///< N m, on the vane about its axis, in the last phase
-};
-
-Outcome run(const Communicator& comm, const std::vector<std::string>& overrides = {},
-            VectorLevel level = best_vector_level()) {
-  const Deck deck = read_deck(vane_in_bed, "vane.toml", overrides);
-  Simulation s(comm, deck, {}, level);
-  Outcome outcome;
-  for (const PhaseDeck& phase_deck : deck.phases) {
-    const Phase phase(phase_deck, s);
-    while (true) {
-      if (const auto ended = phase.ended_by(s, deck.run.check_every)) {
-        outcome.ended_by.push_back(*ended);
-        break;
-      }
-      s.advance(100);
-      s.check_guards();
-      if (phase_deck.name != "rest") continue;
-      outcome.angles.push_back(s.walls()[1].servo->way());
-      const std::vector<WallLoad> loads =
-          measure_wall_loads(comm, level, s.walls(), s.materials(), s.particles(), s.wall_contacts());
-      outcome.torques.push_back(-(loads[1].torque.z + loads[2].torque.z));
-    }
-    outcome.hashes.push_back(hash_of(s));
-  }
-  return outcome;
+/// With the torques on the vane about its axis.
+ServoOutcome run(const Communicator& comm, const std::vector<std::string>& overrides = {},
+                 VectorLevel level = best_vector_level()) {
+  return run_servo(comm, vane_in_bed, overrides, level,
+                   [](const std::vector<WallLoad>& walls) { return -(walls[1].torque.z + walls[2].torque.z); });
 }
 
 TEST(TurningServo, AVaneComesToRestInABedAgainstItsTorque) {
   const Communicator world(MPI_COMM_WORLD);
-  const Outcome outcome = run(world);
+  const ServoOutcome outcome = run(world);
   ASSERT_EQ(outcome.ended_by.size(), 3U);
   EXPECT_EQ(outcome.ended_by[1], "servo");
-  for (const double torque : outcome.torques) EXPECT_NEAR(torque, 1e-6, 1e-6 * 1e-3);
-  for (const double angle : outcome.angles) {
-    EXPECT_NEAR(angle, outcome.angles.front(), 1e-6 / 3e-3);  // 1e-3 of a grain at its edge
+  for (const double torque : outcome.loads) EXPECT_NEAR(torque, 1e-6, 1e-6 * 1e-3);
+  for (const double angle : outcome.ways) {
+    EXPECT_NEAR(angle, outcome.ways.front(), 1e-6 / 3e-3);  // 1e-3 of a grain at its edge
   }
-  EXPECT_GT(outcome.angles.front(), 1e-3);
+  EXPECT_GT(outcome.ways.front(), 1e-3);
 }
 
 TEST(TurningServo, SameBitsOnAllRanksAsOnOne) {
   const Communicator world(MPI_COMM_WORLD);
   const Communicator self(MPI_COMM_SELF);
-  const Outcome together = run(world);
+  const ServoOutcome together = run(world);
   if (world.is_root()) {
-    const Outcome alone = run(self);
+    const ServoOutcome alone = run(self);
     EXPECT_EQ(alone.hashes, together.hashes);
-    EXPECT_EQ(alone.angles, together.angles);
-    EXPECT_EQ(alone.torques, together.torques);
+    EXPECT_EQ(alone.ways, together.ways);
+    EXPECT_EQ(alone.loads, together.loads);
   }
   world.barrier();
 }
@@ -275,11 +250,11 @@ TEST(TurningServo, SameBitsWhateverTheListsAndTheVectors) {
   const Communicator world(MPI_COMM_WORLD);
   const Communicator self(MPI_COMM_SELF);
   if (world.size() == 1) {
-    const Outcome plain = run(self);
-    for (const Outcome& other :
+    const ServoOutcome plain = run(self);
+    for (const ServoOutcome& other :
          {run(self, {"neighbours.skin=0.8", "neighbours.inner_skin=0.1"}), run(self, {}, VectorLevel::sse2)}) {
       EXPECT_EQ(other.hashes, plain.hashes);
-      EXPECT_EQ(other.angles, plain.angles);
+      EXPECT_EQ(other.ways, plain.ways);
     }
   }
 }

@@ -73,8 +73,8 @@ void contact_kernel(benchmark::State& state, VectorLevel level) {
   const PairParameters& pair = bed->simulation.materials().pair(0, 0);
   for (auto _ : state) {
     for (PairGroup& group : pairs.groups()) {
-      const ContactAlarms alarms = evaluate_pairs(level, group.blocks, {&group.fetch}, pair, 0.0, 0.3,
-                                                  particles.record.data(), particles.sum.data());
+      const ContactAlarms alarms =
+          evaluate_pairs(level, group.blocks, pair, 0.0, 0.3, particles.record.data(), particles.sum.data());
       benchmark::DoNotOptimize(alarms.any());
     }
   }

@@ -6,35 +6,6 @@
 namespace repose {
 namespace {
 
-/// Asks for what a later block will read and write, a part with each quad of the present one: the processor can wait
-/// for some twenty lines at once, and stands still when asked for more.
-class Prefetch {
- public:
-  [[gnu::always_inline]] Prefetch(std::span<const ContactBlock> blocks, const FetchView& fetch, std::size_t later,
-                                  const ParticleRecord* records, const ForceSum* sums)
-      : records_(records), sums_(sums) {
-    if (later >= blocks.size()) return;
-    line_ = reinterpret_cast<const char*>(&blocks[later]);
-    particles_ = fetch.of_block(later);
-  }
-  /// What goes with lane `k` and the `parts - 1`th of the block ...
-  template <std::size_t parts>
-  [[gnu::always_inline]] void part(std::size_t k) const {
-    if (line_ == nullptr) return;
-    constexpr std::size_t bytes = sizeof(ContactBlock) / parts;
-    for (std::size_t at = k * bytes; at < (k + 1) * bytes; at += 64) __builtin_prefetch(line_ + at, 1);
-    for (std::size_t p = k * particles_.size() / parts; p < (k + 1) * particles_.size() / parts; ++p) {
-      fetch_ahead(particles_[p], records_, sums_);
-    }
-  }
-
- private:
-  const ParticleRecord* records_;
-  const ForceSum* sums_;
-  const char* line_ = nullptr;
-  std::span<const std::int32_t> particles_;
-};
-
 /// The two particles of each pair, by column.
 struct LanePairs {
   alignas(64) double apart[3][block_lanes], velocity[3][block_lanes];  // of the first relative to the second
@@ -44,11 +15,9 @@ struct LanePairs {
 };
 
 template <Lanes Real>
-[[gnu::always_inline]] inline void gather_pairs(const Prefetch& prefetch, const ParticleRecord* records,
-                                                const ContactBlock& block, LanePairs& pairs, LaneBody& first,
-                                                LaneBody& second) {
+[[gnu::always_inline]] inline void gather_pairs(const ParticleRecord* records, const ContactBlock& block,
+                                                LanePairs& pairs, LaneBody& first, LaneBody& second) {
   for (int k = 0; k < block_lanes; k += lanes_of<Real>) {
-    prefetch.part<block_lanes / lanes_of<Real>>(static_cast<std::size_t>(k / lanes_of<Real>));
     const LaneParticle<Real> a = gather<Real>(records, block.first + k);
     const LaneParticle<Real> b = gather<Real>(records, block.second + k);
     const Vector3<Real> apart = a.position - b.position;
@@ -123,16 +92,15 @@ template <class Law, Lanes Real>
 }
 
 template <class Law, Lanes Real>
-[[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<ContactBlock> blocks, const FetchView& fetch,
-                                                          const PairParameters& pair, double dt, double max_overlap,
-                                                          const ParticleRecord* records, ForceSum* sums) {
+[[gnu::always_inline]] inline ContactAlarms evaluate_body(std::span<ContactBlock> blocks, const PairParameters& pair,
+                                                          double dt, double max_overlap, const ParticleRecord* records,
+                                                          ForceSum* sums) {
   LanePairs pairs;
   LaneGeometry contact;
   LaneBody first, second;
   ContactAlarms alarms;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const Prefetch prefetch(blocks, fetch, k + 4, records, sums);
-    gather_pairs<Real>(prefetch, records, blocks[k], pairs, first, second);
+    gather_pairs<Real>(records, blocks[k], pairs, first, second);
     alarms.too_deep += evaluate_overlaps<Law, Real>(pair, max_overlap, blocks[k], pairs, contact, first, second);
     evaluate_velocities<Law, Real>(pair, dt, pairs, first, second, contact);
     const std::uint64_t difference = evaluate_law<Law, Real>(pair, dt, contact, first, &second, blocks[k], sums);
@@ -143,12 +111,11 @@ template <class Law, Lanes Real>
 
 }  // namespace
 
-ContactAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const FetchView& fetch,
-                             const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
-                             ForceSum* sums) {
+ContactAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const PairParameters& pair, double dt,
+                             double max_overlap, const ParticleRecord* records, ForceSum* sums) {
   return with_law(pair, [&](auto law) {
     return at_level(level, [&](auto lanes) REPOSE_INLINE {
-      return evaluate_body<decltype(law), LanesOf<lanes()>>(blocks, fetch, pair, dt, max_overlap, records, sums);
+      return evaluate_body<decltype(law), LanesOf<lanes()>>(blocks, pair, dt, max_overlap, records, sums);
     });
   });
 }

@@ -11,10 +11,8 @@
 namespace repose {
 
 /// Evaluates the contact law on every lane of `blocks` and adds the forces and torques to the sums of both particles.
-/// Histories advance by `dt` s. `max_overlap` is the bound as a share of the smaller radius. `fetch`, if not empty, is
-/// that of the blocks: it changes nothing but the time.
-ContactAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const FetchView& fetch,
-                             const PairParameters& pair, double dt, double max_overlap, const ParticleRecord* records,
-                             ForceSum* sums);
+/// Histories advance by `dt` s. `max_overlap` is the bound as a share of the smaller radius.
+ContactAlarms evaluate_pairs(VectorLevel level, std::span<ContactBlock> blocks, const PairParameters& pair, double dt,
+                             double max_overlap, const ParticleRecord* records, ForceSum* sums);
 
 }  // namespace repose

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "comm/buffer.h"
-#include "domain/morton.h"
+#include "domain/layer_order.h"
 
 namespace repose {
 namespace {
@@ -71,7 +71,7 @@ Csr<T> gather_rows(const Arrivals& arrivals, const Csr<T>& of_stayed, const Csr<
 }
 
 void sort_into(const Arrivals& arrivals, Particles& particles, ContactMemory& memory) {
-  const std::vector<std::size_t> order = morton_order(arrivals.record, arrivals.id);
+  const std::vector<std::size_t> order = layer_order(arrivals.record, arrivals.id);
   particles.owned = order.size();
   particles.record.clear();
   particles.id.clear();

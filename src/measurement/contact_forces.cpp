@@ -38,7 +38,7 @@ void evaluate(VectorLevel level, const PairParameters& law, std::span<const Touc
     block.second[slot] = block.first[slot] + 1;
     set_history(block, slot, is_used ? pairs[static_cast<std::size_t>(chosen[lane])].history : ContactHistory{});
   }
-  alarms += evaluate_pairs(level, blocks, {}, law, instant, no_bound, copies.record.data(), copies.sum.data());
+  alarms += evaluate_pairs(level, blocks, law, instant, no_bound, copies.record.data(), copies.sum.data());
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     forces[static_cast<std::size_t>(chosen[k])] = force_of(copies.sum[2 * k], copies.record[2 * k]);
   }

@@ -139,13 +139,13 @@ std::vector<std::vector<std::int32_t>> levels_of(std::span<const double> reach) 
   return levels;
 }
 
-/// In the order of the first index.
-std::vector<IndexPair> sort_by_first(const std::vector<IndexPair>& pairs, std::size_t particles) {
+/// In the order of the second, higher index.
+std::vector<IndexPair> sort_by_second(const std::vector<IndexPair>& pairs, std::size_t particles) {
   std::vector<std::size_t> next(particles + 1, 0);
-  for (const IndexPair& pair : pairs) ++next[static_cast<std::size_t>(pair[0]) + 1];
+  for (const IndexPair& pair : pairs) ++next[static_cast<std::size_t>(pair[1]) + 1];
   for (std::size_t i = 0; i < particles; ++i) next[i + 1] += next[i];
   std::vector<IndexPair> sorted(pairs.size());
-  for (const IndexPair& pair : pairs) sorted[next[static_cast<std::size_t>(pair[0])]++] = pair;
+  for (const IndexPair& pair : pairs) sorted[next[static_cast<std::size_t>(pair[1])]++] = pair;
   return sorted;
 }
 
@@ -175,7 +175,7 @@ std::vector<IndexPair> near_pairs(std::span<const ParticleRecord> particles, std
     const std::vector<std::int32_t> lower = searchers_of(levels, level, members, width, particles);
     sweep(sort_by_cell(cells, particles, reach, lower), members, all_columns, visit);
   }
-  return sort_by_first(pairs, particles.size());
+  return sort_by_second(pairs, particles.size());
 }
 
 std::vector<bool> ghosts_in(std::span<const IndexPair> pairs, std::size_t owned, std::size_t total) {

@@ -13,14 +13,14 @@ ContactHistory history_of(const PairGroup& group, const PairGroup::Pair& pair) {
 
 void set_lane(BigVector<ContactBlock>& blocks, std::size_t lane, std::int32_t first, std::int32_t second,
               const ContactHistory& h) {
-  const auto [at, slot] = place_of(lane);
-  ContactBlock& block = blocks[at];
+  ContactBlock& block = blocks[lane / block_lanes];
+  const std::size_t slot = lane % block_lanes;
   block.first[slot] = first;
   block.second[slot] = second;
   set_history(block, slot, h);
 }
 
-/// Fills the rest of the last blocks with the two dummy particles behind the last ghost.
+/// Fills the rest of the last block with the two dummy particles behind the last ghost.
 void fill_tail(BigVector<ContactBlock>& blocks, std::size_t lanes, std::size_t dummy) {
   for (std::size_t lane = lanes; lane < block_lanes * blocks.size(); ++lane) {
     set_lane(blocks, lane, static_cast<std::int32_t>(dummy), static_cast<std::int32_t>(dummy + 1), {});
@@ -53,16 +53,14 @@ PairGroup& PairLists::group_for(const Particles& particles, std::size_t first, s
   for (PairGroup& g : groups_) {
     if (g.material_first == a && g.material_second == b && g.interior == interior) return g;
   }
-  return groups_.emplace_back(PairGroup{
-      .material_first = a, .material_second = b, .interior = interior, .pairs = {}, .blocks = {}, .fetch = {}});
+  return groups_.emplace_back(
+      PairGroup{.material_first = a, .material_second = b, .interior = interior, .pairs = {}, .blocks = {}});
 }
 
 void PairLists::clear() {
   for (PairGroup& group : groups_) {
     group.pairs.clear();
     group.blocks.clear();
-    group.fetch.items.clear();
-    group.fetch.offset.assign(1, 0);
     group.lanes = 0;
   }
 }
@@ -95,7 +93,6 @@ void PairLists::select_near(const Particles& particles, const SkinRule& rule) {
   for (PairGroup& group : groups_) {
     find_near(group);
     renew_lanes(group, particles.total());
-    list_fetches(particles, group);
   }
 }
 
@@ -141,39 +138,15 @@ void PairLists::renew_lanes(PairGroup& group, std::size_t dummy) {
   fill_tail(group.blocks, group.lanes, dummy);
 }
 
-void PairLists::list_fetches(const Particles& particles, PairGroup& group) {
-  constexpr std::uint32_t memory = 128;  // blocks whose particles are still in the second-level cache
-  used_.assign(particles.total() + 2, 0);
-  FetchList& fetch = group.fetch;
-  fetch.items.resize(2 * block_lanes * group.blocks.size());
-  fetch.offset.assign(1, 0);
-  std::uint32_t* const last_use = used_.data();
-  std::int32_t* const items = fetch.items.data();
-  std::size_t count = 0;
-  for (std::uint32_t b = 0; b < group.blocks.size(); ++b) {
-    for (const auto* side : {group.blocks[b].first, group.blocks[b].second}) {
-      for (int k = 0; k < block_lanes; ++k) {
-        const std::int32_t particle = side[k];
-        const std::uint32_t used = last_use[particle];
-        items[count] = particle;  // without a branch, as in find_near
-        count += used == 0 || b + 1 > used + memory ? 1U : 0U;
-        last_use[particle] = b + 1;
-      }
-    }
-    fetch.offset.push_back(count);
-  }
-  fetch.items.resize(count);
-}
-
 Csr<PairMemory> PairLists::memory(const Particles& particles) const {
   return Csr<PairMemory>::group(particles.owned, [&](const auto& add) {
     for (const PairGroup& group : groups_) {
       for (std::size_t lane = 0; lane < group.lanes; ++lane) {
         const ContactHistory history = lane_history(group, lane);
         if (is_blank(history)) continue;
-        const auto [block, slot] = place_of(lane);
-        const std::size_t first = index(group.blocks[block].first[slot]);
-        const std::size_t second = index(group.blocks[block].second[slot]);
+        const ContactBlock& block = group.blocks[lane / block_lanes];
+        const std::size_t first = index(block.first[lane % block_lanes]);
+        const std::size_t second = index(block.second[lane % block_lanes]);
         if (first < particles.owned) add(first, {particles.id[second], history});
         if (second < particles.owned) add(second, {particles.id[first], history});
       }
@@ -200,9 +173,8 @@ std::size_t PairLists::listed() const {
 
 std::size_t PairLists::bytes() const {
   std::size_t count = 0;
-  for (const PairGroup& g : groups_)
-    count += bytes_of(g.pairs) + bytes_of(g.blocks) + bytes_of(g.fetch.items) + bytes_of(g.fetch.offset);
-  return count + bytes_of(used_) + bytes_of(spheres_) + bytes_of(near_);
+  for (const PairGroup& g : groups_) count += bytes_of(g.pairs) + bytes_of(g.blocks);
+  return count + bytes_of(spheres_) + bytes_of(near_);
 }
 
 std::size_t PairLists::lanes() const {

@@ -25,7 +25,6 @@ struct PairGroup {
   bool interior;
   BigVector<Pair> pairs;           ///< outer list: everything within the outer reaches
   BigVector<ContactBlock> blocks;  ///< inner list: what the pair loop evaluates
-  FetchList fetch;                 ///< for `blocks`
   std::size_t lanes = 0;           ///< used lanes of `blocks`
 };
 
@@ -65,14 +64,12 @@ class PairLists {
 
   void find_near(const PairGroup& group);
   void renew_lanes(PairGroup& group, std::size_t dummy);
-  void list_fetches(const Particles& particles, PairGroup& group);
   PairGroup& group_for(const Particles& particles, std::size_t first, std::size_t second, bool interior);
 
   std::vector<PairGroup> groups_;
   // While select_near runs:
-  BigVector<ReachSphere> spheres_;   ///< of every particle
-  std::vector<std::int32_t> near_;   ///< pairs of one group that it selects
-  std::vector<std::uint32_t> used_;  ///< by each particle, while fetches are listed: the last block
+  BigVector<ReachSphere> spheres_;  ///< of every particle
+  std::vector<std::int32_t> near_;  ///< pairs of one group that it selects
 };
 
 /// Puts two dummy particles behind the last ghost, far from everything and from one another, and makes room for as many
@@ -81,8 +78,7 @@ void add_lane_dummies(Particles& particles);
 
 /// History of lane `lane` in a group's blocks.
 inline ContactHistory lane_history(const PairGroup& group, std::size_t lane) {
-  const LanePlace place = place_of(lane);
-  return history(group.blocks[place.block], place.slot);
+  return history(group.blocks[lane / block_lanes], lane % block_lanes);
 }
 
 }  // namespace repose

@@ -94,8 +94,8 @@ class RangeSearch {
     block.second[0] = pair.second;
     set_history(block, 0, lane_history(group, at(pair.lane)));
     const PairParameters& law = view_.materials.pair(at(group.material_first), at(group.material_second));
-    return evaluate_pairs(contacts_.level, {&block, 1}, {}, law, 0.0, contacts_.max_overlap,
-                          view_.particles.record.data(), sums_.data())
+    return evaluate_pairs(contacts_.level, {&block, 1}, law, 0.0, contacts_.max_overlap, view_.particles.record.data(),
+                          sums_.data())
                .out_of_range > 0;
   }
   bool is_out_of_range(WallContact& contact) {

@@ -393,8 +393,8 @@ bool Simulation::evaluate_group(PairGroup& group, double dt) {
   bool alarm = false;
   for (std::size_t first = 0; first < blocks.size(); first += piece) {
     const std::size_t count = std::min(piece, blocks.size() - first);
-    alarm |= evaluate_pairs(level_, blocks.subspan(first, count), {&group.fetch, first}, pair, dt,
-                            deck_.guards.max_overlap, particles_.record.data(), particles_.sum.data())
+    alarm |= evaluate_pairs(level_, blocks.subspan(first, count), pair, dt, deck_.guards.max_overlap,
+                            particles_.record.data(), particles_.sum.data())
                  .any();
     if (ghosts_on_their_way_) ghosts_.advance();
   }

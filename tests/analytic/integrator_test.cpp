@@ -51,7 +51,7 @@ double spring_after_trembling(Integrator integrator, TangentialSpring spring) {
     p.record[0].position = {s, 0.0, apart + s};
     p.record[0].velocity = (1.0 / dt) * (p.record[0].position - before);
     before = p.record[0].position;
-    evaluate_pairs(best_vector_level(), block, {}, materials.pair(0, 0), dt, 0.3, p.record.data(), sums.data());
+    evaluate_pairs(best_vector_level(), block, materials.pair(0, 0), dt, 0.3, p.record.data(), sums.data());
     std::fill(sums.begin(), sums.end(), ForceSum{});
   }
   return history(block[0], 0).spring.x;

@@ -95,7 +95,7 @@ inline Loop random_loop(std::uint64_t seed, std::size_t pairs, const MaterialTab
 
 inline Outcome evaluate(VectorLevel level, const Loop& loop, const PairParameters& pair, double step = loop_dt) {
   Outcome outcome = {loop.blocks, std::vector<ForceSum>(loop.particles.record.size(), ForceSum{}), {}};
-  outcome.alarms = evaluate_pairs(level, outcome.blocks, {}, pair, step, loop_max_overlap, loop.particles.record.data(),
+  outcome.alarms = evaluate_pairs(level, outcome.blocks, pair, step, loop_max_overlap, loop.particles.record.data(),
                                   outcome.sums.data());
   return outcome;
 }

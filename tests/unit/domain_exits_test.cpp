@@ -1,11 +1,10 @@
-// What leaves the domain: faces, counts, masses, parking; and the order along the space-filling curve.
+// What leaves the domain: faces, counts, masses, parking.
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "domain/exits.h"
-#include "domain/morton.h"
 #include "scene/particles/sphere_mass.h"
 #include "support/draw.h"
 
@@ -171,50 +170,6 @@ TEST(MassUnit, SumsToTheTotalWithin62Bits) {
   EXPECT_GE(unit.count(total), std::int64_t{1} << 60);
   EXPECT_EQ(unit.kilograms(unit.count(total)), total);
   EXPECT_EQ(unit.count(0.0), 0);
-}
-
-TEST(Morton, OrdersEveryParticleOnce) {
-  Draw draw(61);
-  std::vector<ParticleRecord> records(1000);
-  std::vector<std::int64_t> ids(1000);
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    records[i].position = draw.vector(1.0);
-    ids[i] = static_cast<std::int64_t>(1000 - i);
-  }
-  std::vector<std::size_t> order = morton_order(records, ids);
-  double way = 0.0;
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    way += norm(records[order[k]].position - records[order[k - 1]].position) / 999.0;
-  }
-  EXPECT_LT(way, 0.4);  // neighbours of 1000 in a cube of 2 are 0.2 apart; in random order the mean is 1.32
-  std::sort(order.begin(), order.end());
-  for (std::size_t k = 0; k < order.size(); ++k) EXPECT_EQ(order[k], k);
-}
-
-TEST(Morton, DoesNotDependOnTheOrderBefore) {
-  Draw draw(62);
-  std::vector<ParticleRecord> records(100);
-  std::vector<std::int64_t> ids(100);
-  for (std::size_t i = 0; i < 100; ++i) {
-    records[i].position = i % 10 == 0 ? Vec3{} : draw.vector(1.0);  // ten at one place: the id decides
-    ids[i] = static_cast<std::int64_t>(i);
-  }
-  std::vector<ParticleRecord> reversed(records.rbegin(), records.rend());
-  std::vector<std::int64_t> reversed_ids(ids.rbegin(), ids.rend());
-  const std::vector<std::size_t> order = morton_order(records, ids);
-  const std::vector<std::size_t> other = morton_order(reversed, reversed_ids);
-  for (std::size_t k = 0; k < 100; ++k) EXPECT_EQ(order[k], 99 - other[k]);
-}
-
-TEST(Morton, FollowsTheCurveInACube) {
-  std::vector<ParticleRecord> corners(8);
-  std::vector<std::int64_t> ids(8, 0);
-  for (std::size_t k = 0; k < 8; ++k) {
-    const std::size_t n = 7 - k;  // x is the fastest
-    corners[k].position = {static_cast<double>(n & 1), static_cast<double>(n >> 1 & 1), static_cast<double>(n >> 2)};
-  }
-  EXPECT_EQ(morton_order(corners, ids), (std::vector<std::size_t>{7, 6, 5, 4, 3, 2, 1, 0}));
-  EXPECT_TRUE(morton_order({}, {}).empty());
 }
 
 }  // namespace

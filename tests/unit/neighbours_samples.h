@@ -81,7 +81,8 @@ inline PairCount inner_pairs(const Particles& p, const PairLists& lists) {
   PairCount pairs;
   for (const PairGroup& group : lists.groups()) {
     for (std::size_t lane = 0; lane < group.lanes; ++lane) {
-      const auto [block, slot] = place_of(lane);
+      const std::size_t block = lane / block_lanes;
+      const std::size_t slot = lane % block_lanes;
       ++pairs[ids(p, group.blocks[block].first[slot], group.blocks[block].second[slot])];
     }
   }

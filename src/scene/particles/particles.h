@@ -34,8 +34,8 @@ struct alignas(64) ForceSum {
 /// wrapped).
 inline constexpr int fixed_point_bits = 52;
 
-/// The particles of one rank: first those it owns, along a space-filling curve, then its ghosts (copies of particles
-/// that other ranks own). All arrays have the same length but for those of owned particles alone.
+/// The particles of one rank: first those it owns, in the order of layers (domain/layer_order.h), then its ghosts
+/// (copies of particles that other ranks own). All arrays have the same length but for those of owned particles alone.
 struct Particles {
   BigVector<ParticleRecord> record;
   BigVector<ForceSum> sum;

@@ -26,6 +26,11 @@ struct Image {
 constexpr int tag = 2;
 constexpr int tag_of_values = 3;
 
+/// The room in the memory of a node for where the motion for each of so many ranks begins, in Motions.
+std::size_t begins_room(std::size_t ranks) {
+  return (ranks * sizeof(std::int64_t) + sizeof(Motion) - 1) / sizeof(Motion);
+}
+
 }  // namespace
 
 std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, const SkinRule& rule,
@@ -74,6 +79,7 @@ std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, co
       buffer.put(ghost);
     }
   }
+  node_.reserve(sizeof(Motion) * (begins_room(bytes.size()) + send_index_.size()));
   const std::vector<std::vector<char>> received = comm_.exchange(bytes);
   for (std::size_t r = 0; r < received.size(); ++r) {
     const std::size_t begin = particles.ghosts();
@@ -134,15 +140,22 @@ void GhostExchange::keep_sends(const std::vector<std::vector<char>>& kept) {
   std::erase_if(sends_, [](const Link& link) { return link.count == 0; });
 }
 
-void GhostExchange::open_requests() {
-  send_buffer_.resize(send_index_.size());
+void GhostExchange::open() {
   std::size_t ghosts = 0;
   for (const Link& link : receives_) ghosts += link.count;
   receive_buffer_.resize(ghosts);
+  if (node_.is_open()) {
+    auto* begins = reinterpret_cast<std::int64_t*>(node_.mine());
+    for (const Link& link : sends_) begins[link.rank] = static_cast<std::int64_t>(link.begin);
+    node_.take(exchanges_);
+    node_.post(exchanges_);
+  } else {
+    send_buffer_.resize(send_index_.size());
+  }
 
   constexpr int doubles = sizeof(Motion) / sizeof(double);
   for (const Link& link : receives_) {
-    if (!is_remote(link)) continue;
+    if (!is_remote(link) || is_near(link)) continue;
     check_mpi(MPI_Recv_init(&receive_buffer_[link.begin], doubles * static_cast<int>(link.count), MPI_DOUBLE, link.rank,
                             tag, comm_.handle(), &requests_.emplace_back(MPI_REQUEST_NULL)),
               "MPI_Recv_init");
@@ -153,11 +166,27 @@ void GhostExchange::open_requests() {
     if (!is_remote(link)) continue;
     ++messages_;
     bytes_ += static_cast<std::int64_t>(link.count * sizeof(Motion));
-    check_mpi(MPI_Send_init(&send_buffer_[link.begin], doubles * static_cast<int>(link.count), MPI_DOUBLE, link.rank,
+    if (is_near(link)) continue;
+    check_mpi(MPI_Send_init(&send_buffer()[link.begin], doubles * static_cast<int>(link.count), MPI_DOUBLE, link.rank,
                             tag, comm_.handle(), &requests_.emplace_back(MPI_REQUEST_NULL)),
               "MPI_Send_init");
   }
   is_open_ = true;
+}
+
+/// Where the motion is packed that this rank sends.
+std::span<Motion> GhostExchange::send_buffer() {
+  if (!node_.is_open()) return send_buffer_;
+  auto* room = reinterpret_cast<Motion*>(node_.mine());
+  return {room + begins_room(static_cast<std::size_t>(comm_.size())), send_index_.size()};
+}
+
+/// Where the motion of the ghosts of a link stands, once it is there.
+std::span<const Motion> GhostExchange::motion_of(const Link& link) const {
+  if (!is_near(link)) return std::span(receive_buffer_).subspan(link.begin, link.count);
+  const auto* begins = reinterpret_cast<const std::int64_t*>(node_.of(link.rank));
+  const auto* room = reinterpret_cast<const Motion*>(node_.of(link.rank));
+  return {room + begins_room(static_cast<std::size_t>(comm_.size())) + begins[comm_.rank()], link.count};
 }
 
 void GhostExchange::free_requests() {
@@ -185,31 +214,48 @@ void GhostExchange::copy_own_images(std::span<const T> from, std::span<T> to) co
 }
 
 void GhostExchange::start(const Particles& particles) {
-  if (!is_open_) open_requests();
-  pack_motion(particles.record, send_index_, send_shift_, send_buffer_);
-  copy_own_images<Motion>(send_buffer_, receive_buffer_);
+  if (!is_open_) open();
+  for (const Link& link : sends_) {
+    if (is_near(link)) wait_until([&] { return node_.taken(link.rank) >= exchanges_; });
+  }
+  pack_motion(particles.record, send_index_, send_shift_, send_buffer());
+  copy_own_images<Motion>(send_buffer(), receive_buffer_);
+  ++exchanges_;
+  if (node_.is_open()) node_.post(exchanges_);
+  comm_.count_sent(messages_, bytes_);
   if (requests_.empty()) return;
   check_mpi(MPI_Startall(static_cast<int>(requests_.size()), requests_.data()), "MPI_Startall");
-  comm_.count_sent(messages_, bytes_);
+}
+
+bool GhostExchange::have_posted() const {
+  return std::all_of(receives_.begin(), receives_.end(),
+                     [&](const Link& link) { return !is_near(link) || node_.posted(link.rank) >= exchanges_; });
 }
 
 bool GhostExchange::advance() {
-  int done = 0;
-  check_mpi(MPI_Testall(static_cast<int>(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE),
-            "MPI_Testall");
-  return done != 0;
+  int done = 1;
+  if (!requests_.empty()) {
+    check_mpi(MPI_Testall(static_cast<int>(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE),
+              "MPI_Testall");
+  }
+  return done != 0 && have_posted();
 }
 
 void GhostExchange::finish(Particles& particles) {
   if (!requests_.empty()) {
     check_mpi(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
   }
-  for (std::size_t k = 0; k < receive_buffer_.size(); ++k) {
-    ParticleRecord& ghost = particles.record[particles.owned + k];
-    ghost.position = receive_buffer_[k].position;
-    ghost.velocity = receive_buffer_[k].velocity;
-    ghost.spin = receive_buffer_[k].spin;
+  for (const Link& link : receives_) {
+    if (is_near(link)) wait_until([&] { return node_.posted(link.rank) >= exchanges_; });
+    ParticleRecord* ghost = &particles.record[particles.owned + link.begin];
+    for (const Motion& motion : motion_of(link)) {
+      ghost->position = motion.position;
+      ghost->velocity = motion.velocity;
+      ghost->spin = motion.spin;
+      ++ghost;
+    }
   }
+  if (node_.is_open()) node_.take(exchanges_);
 }
 
 void GhostExchange::share(std::size_t owned, std::span<double> values) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "comm/communicator.h"
+#include "comm/node_memory.h"
 #include "domain/decomposition.h"
 #include "scene/particles/particles.h"
 #include "scene/particles/reach.h"
@@ -22,10 +23,12 @@ void pack_motion(std::span<const ParticleRecord> records, std::span<const std::s
 /// The ghosts of a rank: copies of the particles of other ranks, and in periodic directions images of particles of any
 /// rank, that may touch its own before the next list rebuild.
 /// The lists of who sends what to whom are made at a rebuild; each step only positions, velocities and spins travel, by
-/// persistent requests. Ghosts are read only: no force travels back.
+/// persistent requests, or to ranks of the same node by memory that they read in place. Ghosts are read only: no force
+/// travels back.
 class GhostExchange {
  public:
-  explicit GhostExchange(const Communicator& comm) : comm_(comm) {}
+  /// Collective.
+  explicit GhostExchange(const Communicator& comm) : comm_(comm), node_(comm) {}
   ~GhostExchange() { free_requests(); }
   GhostExchange(const GhostExchange&) = delete;
   GhostExchange& operator=(const GhostExchange&) = delete;
@@ -57,7 +60,11 @@ class GhostExchange {
   };
   void keep_sends(const std::vector<std::vector<char>>& kept);
   bool is_remote(const Link& link) const { return link.rank != comm_.rank(); }
-  void open_requests();
+  bool is_near(const Link& link) const { return is_remote(link) && node_.is_near(link.rank); }
+  void open();
+  bool have_posted() const;
+  std::span<Motion> send_buffer();
+  std::span<const Motion> motion_of(const Link& link) const;
   /// Of what this rank sends to itself to where it receives it.
   template <class T>
   void copy_own_images(std::span<const T> from, std::span<T> to) const;
@@ -68,9 +75,11 @@ class GhostExchange {
   std::vector<Link> receives_;
   std::vector<std::size_t> send_index_;  ///< owned particles to send, link by link
   std::vector<Vec3> send_shift_;         ///< to the image, one each; empty without periodic directions
-  std::vector<Motion> send_buffer_;
-  std::vector<Motion> receive_buffer_;  ///< one per ghost, in the order of the ghosts
-  bool is_open_ = false;                ///< the requests are those of the links
+  std::vector<Motion> send_buffer_;      ///< where no rank is near; else it is in the memory of the node
+  std::vector<Motion> receive_buffer_;   ///< one per ghost, in the order of the ghosts; of those that come by messages
+  bool is_open_ = false;                 ///< requests and memory are those of the links
+  NodeMemory node_;  ///< of each rank where in its send buffer the motion for every rank begins, then that buffer
+  std::int64_t exchanges_ = 0;
   std::vector<MPI_Request> requests_;
   std::int64_t messages_ = 0;  ///< sent to other ranks at each step
   std::int64_t bytes_ = 0;     ///< in them

@@ -2,6 +2,7 @@
 // rank 0, alone.
 #include <gtest/gtest.h>
 
+#include "node_ranks.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
 #include "simulation_counts.h"
@@ -69,6 +70,16 @@ TEST(Determinism, SameBitsAtEveryVectorLevel) {
   const Deck deck = small_discharge();
   const Outcome plain = run(world, deck, VectorLevel::sse2);
   EXPECT_EQ(plain.hashes, run(world, deck, best_vector_level()).hashes);
+}
+
+TEST(Determinism, SameBitsHoweverGhostsTravel) {
+  const Communicator world(MPI_COMM_WORLD);
+  const Deck deck = small_discharge();
+  const Outcome by_memory = run(world, deck);
+  for (const int most : {1, 2}) {
+    const NodeRanks node(most);
+    EXPECT_EQ(by_memory.hashes, run(world, deck).hashes) << most;
+  }
 }
 
 TEST(Determinism, MoreRanksThanParticles) {

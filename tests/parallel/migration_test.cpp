@@ -9,6 +9,7 @@
 
 #include "domain/ghost_exchange.h"
 #include "domain_samples.h"
+#include "node_ranks.h"
 
 namespace repose::test {
 namespace {
@@ -171,19 +172,21 @@ void expect_complete(const Communicator& world, const Shell& shell, std::int64_t
   }
 }
 
-class Ghosts : public ::testing::Test {
+/// With so many ranks that share memory.
+class Ghosts : public ::testing::TestWithParam<int> {
  protected:
+  const NodeRanks node{GetParam()};
   const Communicator world{MPI_COMM_WORLD};
 };
 
-TEST_F(Ghosts, EveryPairWithinReachIsHere) {
+TEST_P(Ghosts, EveryPairWithinReachIsHere) {
   for (const std::int64_t count : {0, 1, 2, 3, 20, 1500}) {
     const Shell shell(world, count);
     expect_complete(world, shell, count);
   }
 }
 
-TEST_F(Ghosts, AreAShellNotEverything) {
+TEST_P(Ghosts, AreAShellNotEverything) {
   const Shell shell(world, 3000);
   const std::int64_t ghosts = world.sum(static_cast<std::int64_t>(shell.particles.ghosts()));
   if (world.size() == 1) {
@@ -194,7 +197,7 @@ TEST_F(Ghosts, AreAShellNotEverything) {
   }
 }
 
-TEST_F(Ghosts, MotionArrivesEveryTime) {
+TEST_P(Ghosts, MotionArrivesEveryTime) {
   Shell shell(world, 600);
   Particles& p = shell.particles;
   for (int round = 1; round <= 20; ++round) {
@@ -217,7 +220,7 @@ TEST_F(Ghosts, MotionArrivesEveryTime) {
 }
 
 // A thousand ghosts: more than what a rank can send without the other's help.
-TEST_F(Ghosts, MotionArrivesWithoutWaiting) {
+TEST_P(Ghosts, MotionArrivesWithoutWaiting) {
   Shell shell(world, 6000);
   Particles& p = shell.particles;
   for (std::size_t i = 0; i < p.owned; ++i) p.record[i].spin = {1.0, static_cast<double>(p.id[i]), 0.5};
@@ -231,7 +234,7 @@ TEST_F(Ghosts, MotionArrivesWithoutWaiting) {
   for (std::size_t i = 0; i < p.total(); ++i) EXPECT_EQ(p.record[i].spin.y, static_cast<double>(p.id[i]));
 }
 
-TEST_F(Ghosts, OnlyThoseThatAreKeptTravel) {
+TEST_P(Ghosts, OnlyThoseThatAreKeptTravel) {
   Shell shell(world, 400);
   Particles& p = shell.particles;
   std::vector<bool> needed;
@@ -253,7 +256,7 @@ TEST_F(Ghosts, OnlyThoseThatAreKeptTravel) {
   }
 }
 
-TEST_F(Ghosts, CanBeSetUpAgain) {
+TEST_P(Ghosts, CanBeSetUpAgain) {
   Shell shell(world, 400);
   for (int round = 0; round < 4; ++round) {
     ContactMemory memory;
@@ -272,7 +275,7 @@ TEST_F(Ghosts, CanBeSetUpAgain) {
 }
 
 // A particle parked by its owner is out of reach on every rank after the next exchange.
-TEST_F(Ghosts, ParkedParticlesAreParkedEverywhere) {
+TEST_P(Ghosts, ParkedParticlesAreParkedEverywhere) {
   Shell shell(world, 300);
   Particles& p = shell.particles;
   for (std::size_t i = 0; i < p.owned; ++i) {
@@ -282,6 +285,8 @@ TEST_F(Ghosts, ParkedParticlesAreParkedEverywhere) {
   shell.ghosts.finish(p);
   for (std::size_t i = 0; i < p.total(); ++i) EXPECT_EQ(is_parked(p.record[i]), p.id[i] % 2 == 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(NodeRanks, Ghosts, ::testing::Values(1, 2, 1000), ::testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace repose::test

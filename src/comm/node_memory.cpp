@@ -1,0 +1,108 @@
+#include "comm/node_memory.h"
+
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace repose {
+namespace {
+
+std::string name_of(std::int64_t process, std::int64_t number) { return fmt::format("/repose-{}-{}", process, number); }
+
+/// Maps `bytes` of the shared memory of a name; null when that cannot be.
+std::byte* map(const std::string& name, int flags, std::size_t bytes) {
+  const int file = shm_open(name.c_str(), O_RDWR | flags, S_IRUSR | S_IWUSR);
+  if (file < 0) return nullptr;
+  // Room that is not there shows here, not when it is written.
+  const bool has_room = (flags & O_CREAT) == 0 || posix_fallocate(file, 0, static_cast<off_t>(bytes)) == 0;
+  void* base = has_room ? mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0) : MAP_FAILED;
+  ::close(file);
+  return base == MAP_FAILED ? nullptr : static_cast<std::byte*>(base);
+}
+
+/// How many ranks may share memory.
+int most_ranks() {
+  const char* const setting = std::getenv("REPOSE_NODE_RANKS");
+  const int ranks = setting == nullptr ? 0 : std::atoi(setting);
+  return ranks > 0 ? ranks : std::numeric_limits<int>::max();
+}
+
+}  // namespace
+
+NodeMemory::NodeMemory(const Communicator& comm)
+    : comm_(comm),
+      bases_(static_cast<std::size_t>(comm.size()), nullptr),
+      mapped_(static_cast<std::size_t>(comm.size()), 0) {
+  if (comm.size() == 1) return;
+  const int most = comm.min(most_ranks());
+  MPI_Comm node = MPI_COMM_NULL;
+  check_mpi(MPI_Comm_split_type(comm.handle(), MPI_COMM_TYPE_SHARED, comm.rank(), MPI_INFO_NULL, &node),
+            "MPI_Comm_split_type");
+  int size = 0;
+  int place = 0;
+  MPI_Comm_size(node, &size);
+  MPI_Comm_rank(node, &place);
+  std::vector<int> ranks(static_cast<std::size_t>(size));
+  const int rank = comm.rank();
+  check_mpi(MPI_Allgather(&rank, 1, MPI_INT, ranks.data(), 1, MPI_INT, node), "MPI_Allgather");
+  MPI_Comm_free(&node);
+  for (int k = 0; k < size; ++k) {
+    if (k / most == place / most) neighbours_.push_back(ranks[static_cast<std::size_t>(k)]);
+  }
+  if (neighbours_.size() == 1) neighbours_.clear();
+}
+
+void NodeMemory::reserve(std::size_t bytes) {
+  if (comm_.size() == 1) return;
+  const auto most = static_cast<std::size_t>(comm_.max(static_cast<std::int64_t>(bytes)));
+  if (most <= bytes_) return;
+  close();
+  // Where one rank finds no room all of them send messages.
+  if (comm_.min(open(most + most / 2) ? 1 : 0) == 0) {
+    close();
+    neighbours_.clear();
+  }
+  bytes_ = most + most / 2;
+}
+
+bool NodeMemory::open(std::size_t bytes) {
+  static std::int64_t number = 0;
+  const std::size_t whole = 2 * line + bytes;
+  const std::string name = name_of(getpid(), ++number);
+  const auto me = static_cast<std::size_t>(comm_.rank());
+  bool good = true;
+  if (!neighbours_.empty()) {
+    bases_[me] = map(name, O_CREAT | O_EXCL, whole);  // begins with zeros
+    mapped_[me] = whole;
+    good = bases_[me] != nullptr;
+  }
+  const std::vector<std::int64_t> processes = comm_.all_gather(static_cast<std::int64_t>(getpid()));
+  const std::vector<std::int64_t> numbers = comm_.all_gather(number);
+  for (const int rank : neighbours_) {
+    const auto r = static_cast<std::size_t>(rank);
+    if (r == me) continue;
+    bases_[r] = map(name_of(processes[r], numbers[r]), 0, whole);
+    mapped_[r] = whole;
+    good = good && bases_[r] != nullptr;
+  }
+  comm_.barrier();
+  if (!neighbours_.empty()) shm_unlink(name.c_str());
+  return good;
+}
+
+void NodeMemory::close() {
+  for (std::size_t r = 0; r < bases_.size(); ++r) {
+    if (bases_[r] != nullptr) munmap(bases_[r], mapped_[r]);
+    bases_[r] = nullptr;
+  }
+}
+
+void give_way() { sched_yield(); }
+
+}  // namespace repose

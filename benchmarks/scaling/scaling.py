@@ -54,7 +54,9 @@ def arguments():
     sub.add_argument("--set", action="append", default=[], help="override of the deck")
     sub.add_argument("--interval", type=float, default=2e-3, help="s between the snapshots that are divided")
     sub.add_argument("--runs", default="one_rank,balanced,not_balanced", help="those whose snapshots are divided come first")
-    commands.add_parser("predict", parents=[common], formatter_class=formatter, help="efficiency on a cluster, a model")
+    sub = commands.add_parser("predict", parents=[common], formatter_class=formatter, help="efficiency on a cluster, a model")
+    sub.add_argument("--grain-ns", type=float, help="of a grain and a step on another processor, instead of the measured; printed only")
+    sub.add_argument("--pair-ns", type=float, help="of a pair of it, likewise")
     sub = commands.add_parser("plot", parents=[common], formatter_class=formatter, help="pictures of all results")
     return parser.parse_args()
 
@@ -234,8 +236,13 @@ def balance_table(kept, rows):
 
 
 def predict(args):
-    table = model.predict(args.results)
+    measured = model.Measured(args.results)
+    if args.grain_ns:
+        measured.grain_s, measured.pair_s = 1e-9 * args.grain_ns, 1e-9 * args.pair_ns
+    table = model.predict(measured)
     print_table(table)
+    if args.grain_ns:
+        return
     save(args.results / "prediction.json", assumptions=model.ASSUMPTIONS, table=table)
 
 

@@ -10,7 +10,8 @@ namespace repose {
 namespace {
 
 constexpr std::size_t layer_particles = 2000;  // whose records and sums take a third of a second-level cache of 1 MiB
-constexpr std::uint64_t last_cell = (1U << 18) - 1;
+constexpr std::uint64_t last_cell = (1U << 18) - 1;  // three of them and a strip fit one 64-bit number
+constexpr double most_strips = 1U << 10;
 
 using Coordinates = std::array<double, 3>;
 
@@ -38,7 +39,7 @@ class Layers {
     const auto count = static_cast<double>(particles.size());
     width_ = std::max({2.0 * radii / count, longest / static_cast<double>(last_cell), 1e-300});
     const double layers = std::floor(longest / width_) + 1.0;
-    const double strips = std::ceil(count / (layers * static_cast<double>(layer_particles)));
+    const double strips = std::min(std::ceil(count / (layers * static_cast<double>(layer_particles))), most_strips);
     strip_ = std::max(width_, (length(axes_[1]) + width_) / strips);
   }
 

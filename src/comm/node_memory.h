@@ -13,9 +13,9 @@ namespace repose {
 /// often it has posted what stands there, and how often it has taken what the others had posted.
 ///
 /// POSIX shared memory, since MPI's windows are freed by all ranks together, which an error on one of them would turn
-/// into waiting for ever. Its names are gone as soon as all have opened it: nothing is left behind by a run that is
-/// killed. Where there is no room in /dev/shm nobody is near. The environment variable REPOSE_NODE_RANKS says how many
-/// ranks of a node share memory at most; 1: none.
+/// into waiting for ever. Its names are gone as soon as all have opened it: a run that is killed leaves nothing
+/// behind, but for one killed in that moment. Where there is no room in /dev/shm nobody is near. The environment
+/// variable REPOSE_NODE_RANKS says how many ranks of a node share memory at most; 1: none.
 class NodeMemory {
  public:
   /// Collective.

@@ -236,6 +236,8 @@ def balance_table(kept, rows):
 
 
 def predict(args):
+    if (args.grain_ns is None) != (args.pair_ns is None):
+        raise SystemExit("--grain-ns and --pair-ns go together")
     measured = model.Measured(args.results)
     if args.grain_ns:
         measured.grain_s, measured.pair_s = 1e-9 * args.grain_ns, 1e-9 * args.pair_ns

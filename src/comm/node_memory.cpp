@@ -35,10 +35,7 @@ int most_ranks() {
 
 }  // namespace
 
-NodeMemory::NodeMemory(const Communicator& comm)
-    : comm_(comm),
-      bases_(static_cast<std::size_t>(comm.size()), nullptr),
-      mapped_(static_cast<std::size_t>(comm.size()), 0) {
+NodeMemory::NodeMemory(const Communicator& comm) : comm_(comm), bases_(static_cast<std::size_t>(comm.size()), nullptr) {
   if (comm.size() == 1) return;
   const int most = comm.min(most_ranks());
   MPI_Comm node = MPI_COMM_NULL;
@@ -56,30 +53,27 @@ NodeMemory::NodeMemory(const Communicator& comm)
     if (k / most == place / most) neighbours_.push_back(ranks[static_cast<std::size_t>(k)]);
   }
   if (neighbours_.size() == 1) neighbours_.clear();
+  any_shares_ = comm.max(neighbours_.empty() ? 0 : 1) != 0;
 }
 
 void NodeMemory::reserve(std::size_t bytes) {
-  if (comm_.size() == 1) return;
+  if (!any_shares_) return;
   const auto most = static_cast<std::size_t>(comm_.max(static_cast<std::int64_t>(bytes)));
   if (most <= bytes_) return;
   close();
-  // Where one rank finds no room all of them send messages.
-  if (comm_.min(open(most + most / 2) ? 1 : 0) == 0) {
-    close();
-    neighbours_.clear();
-  }
   bytes_ = most + most / 2;
+  if (comm_.min(open() ? 1 : 0) != 0) return;
+  close();
+  any_shares_ = false;  // where one rank finds no room all of them send messages
 }
 
-bool NodeMemory::open(std::size_t bytes) {
+bool NodeMemory::open() {
   static std::int64_t number = 0;
-  const std::size_t whole = 2 * line + bytes;
   const std::string name = name_of(getpid(), ++number);
   const auto me = static_cast<std::size_t>(comm_.rank());
   bool good = true;
   if (!neighbours_.empty()) {
-    bases_[me] = map(name, O_CREAT | O_EXCL, whole);  // begins with zeros
-    mapped_[me] = whole;
+    bases_[me] = map(name, O_CREAT | O_EXCL, mapped_bytes());  // begins with zeros
     good = bases_[me] != nullptr;
   }
   const std::vector<std::int64_t> processes = comm_.all_gather(static_cast<std::int64_t>(getpid()));
@@ -87,8 +81,7 @@ bool NodeMemory::open(std::size_t bytes) {
   for (const int rank : neighbours_) {
     const auto r = static_cast<std::size_t>(rank);
     if (r == me) continue;
-    bases_[r] = map(name_of(processes[r], numbers[r]), 0, whole);
-    mapped_[r] = whole;
+    bases_[r] = map(name_of(processes[r], numbers[r]), 0, mapped_bytes());
     good = good && bases_[r] != nullptr;
   }
   comm_.barrier();
@@ -97,9 +90,9 @@ bool NodeMemory::open(std::size_t bytes) {
 }
 
 void NodeMemory::close() {
-  for (std::size_t r = 0; r < bases_.size(); ++r) {
-    if (bases_[r] != nullptr) munmap(bases_[r], mapped_[r]);
-    bases_[r] = nullptr;
+  for (std::byte*& base : bases_) {
+    if (base != nullptr) munmap(base, mapped_bytes());
+    base = nullptr;
   }
 }
 

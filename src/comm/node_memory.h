@@ -24,7 +24,7 @@ class NodeMemory {
   NodeMemory(const NodeMemory&) = delete;
   NodeMemory& operator=(const NodeMemory&) = delete;
 
-  bool is_open() const { return bases_[static_cast<std::size_t>(comm_.rank())] != nullptr; }
+  bool is_open() const { return is_near(comm_.rank()); }
   /// Whether this rank reads the memory of another, and that one ours.
   bool is_near(int rank) const { return bases_[static_cast<std::size_t>(rank)] != nullptr; }
 
@@ -46,14 +46,15 @@ class NodeMemory {
   std::atomic_ref<std::int64_t> count(int rank, std::size_t which) const {
     return std::atomic_ref(*reinterpret_cast<std::int64_t*>(bases_[static_cast<std::size_t>(rank)] + which * line));
   }
-  bool open(std::size_t bytes);
+  std::size_t mapped_bytes() const { return 2 * line + bytes_; }
+  bool open();
   void close();
 
   const Communicator& comm_;
-  std::vector<int> neighbours_;      ///< ranks of this node, this one among them; empty where it is alone
-  std::vector<std::byte*> bases_;    ///< by rank; null where there is none
-  std::vector<std::size_t> mapped_;  ///< bytes, by rank
-  std::size_t bytes_ = 0;            ///< room for each rank
+  std::vector<int> neighbours_;    ///< ranks of this node, this one among them; empty where it is alone
+  bool any_shares_ = false;        ///< on any node; the same on all ranks
+  std::vector<std::byte*> bases_;  ///< by rank; null where there is none
+  std::size_t bytes_ = 0;          ///< room for each rank
 };
 
 void give_way();  ///< to other processes that want this core

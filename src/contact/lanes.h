@@ -13,15 +13,6 @@
 
 namespace repose {
 
-/// Asks for what the loops read and write of a particle.
-[[gnu::always_inline]] inline void fetch_ahead(std::int32_t particle, const ParticleRecord* records,
-                                               const ForceSum* sums) {
-  const auto* record = reinterpret_cast<const char*>(records + particle);
-  __builtin_prefetch(record);
-  __builtin_prefetch(record + 64);
-  __builtin_prefetch(sums + particle, 1);
-}
-
 /// One particle of each lane.
 template <Lanes Real>
 struct LaneParticle {

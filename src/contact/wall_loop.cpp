@@ -151,6 +151,15 @@ template <class Law, Lanes Real, bool may_move>
   return alarms;
 }
 
+/// Asks for what the loop reads and writes of a particle.
+[[gnu::always_inline]] inline void fetch_ahead(std::int32_t particle, const ParticleRecord* records,
+                                               const ForceSum* sums) {
+  const auto* record = reinterpret_cast<const char*>(records + particle);
+  __builtin_prefetch(record);
+  __builtin_prefetch(record + 64);
+  __builtin_prefetch(sums + particle, 1);
+}
+
 template <class Law, Lanes Real, bool may_move, class FaceShape>
 [[gnu::always_inline]] inline ContactAlarms evaluate_face(const WallLaw& law_in, const FaceShape& face,
                                                           FaceGroup& group, const ParticleRecord* records,

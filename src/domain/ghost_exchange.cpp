@@ -27,8 +27,8 @@ constexpr int tag = 2;
 constexpr int tag_of_values = 3;
 
 /// The room in the memory of a node for where the motion for each of so many ranks begins, in Motions.
-std::size_t begins_room(std::size_t ranks) {
-  return (ranks * sizeof(std::int64_t) + sizeof(Motion) - 1) / sizeof(Motion);
+std::size_t begins_room(int ranks) {
+  return (static_cast<std::size_t>(ranks) * sizeof(std::int64_t) + sizeof(Motion) - 1) / sizeof(Motion);
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, co
       buffer.put(ghost);
     }
   }
-  node_.reserve(sizeof(Motion) * (begins_room(bytes.size()) + send_index_.size()));
+  node_.reserve(sizeof(Motion) * (begins_room(comm_.size()) + send_index_.size()));
   const std::vector<std::vector<char>> received = comm_.exchange(bytes);
   for (std::size_t r = 0; r < received.size(); ++r) {
     const std::size_t begin = particles.ghosts();
@@ -177,16 +177,15 @@ void GhostExchange::open() {
 /// Where the motion is packed that this rank sends.
 std::span<Motion> GhostExchange::send_buffer() {
   if (!node_.is_open()) return send_buffer_;
-  auto* room = reinterpret_cast<Motion*>(node_.mine());
-  return {room + begins_room(static_cast<std::size_t>(comm_.size())), send_index_.size()};
+  return {reinterpret_cast<Motion*>(node_.mine()) + begins_room(comm_.size()), send_index_.size()};
 }
 
 /// Where the motion of the ghosts of a link stands, once it is there.
 std::span<const Motion> GhostExchange::motion_of(const Link& link) const {
   if (!is_near(link)) return std::span(receive_buffer_).subspan(link.begin, link.count);
   const auto* begins = reinterpret_cast<const std::int64_t*>(node_.of(link.rank));
-  const auto* room = reinterpret_cast<const Motion*>(node_.of(link.rank));
-  return {room + begins_room(static_cast<std::size_t>(comm_.size())) + begins[comm_.rank()], link.count};
+  const auto* motion = reinterpret_cast<const Motion*>(node_.of(link.rank)) + begins_room(comm_.size());
+  return {motion + begins[comm_.rank()], link.count};
 }
 
 void GhostExchange::free_requests() {

@@ -29,7 +29,7 @@ void evaluate(VectorLevel level, const PairParameters& law, std::span<const Touc
   }
   const auto dummy = static_cast<std::int32_t>(copies.record.size());
   add_lane_dummies(copies);
-  std::vector<ContactBlock> blocks((chosen.size() + block_lanes - 1) / block_lanes);
+  std::vector<ContactBlock> blocks(blocks_for(chosen.size()));
   for (std::size_t lane = 0; lane < block_lanes * blocks.size(); ++lane) {
     ContactBlock& block = blocks[lane / block_lanes];
     const std::size_t slot = lane % block_lanes;

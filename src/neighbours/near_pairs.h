@@ -13,7 +13,7 @@ namespace repose {
 using IndexPair = std::array<std::int32_t, 2>;
 
 /// All pairs of particles that are closer than the sum of their reaches (m, one entry per particle), in the order
-/// of the first; those of two particles from `owned` on are left out. The cost grows linearly with
+/// of the second; those of two particles from `owned` on are left out. The cost grows linearly with
 /// the number of particles, whatever their sizes and the size of the domain.
 std::vector<IndexPair> near_pairs(std::span<const ParticleRecord> particles, std::span<const double> reach,
                                   std::size_t owned);

@@ -79,7 +79,7 @@ inline Loop random_loop(std::uint64_t seed, std::size_t pairs, const MaterialTab
   add_lane_dummies(p);
 
   const auto dummy = static_cast<std::int32_t>(p.total());
-  loop.blocks.resize((pairs + block_lanes - 1) / block_lanes);
+  loop.blocks.resize(blocks_for(pairs));
   for (std::size_t k = 0; k < block_lanes * loop.blocks.size(); ++k) {
     ContactBlock& block = loop.blocks[k / block_lanes];
     const std::size_t lane = k % block_lanes;

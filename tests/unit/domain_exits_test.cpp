@@ -6,7 +6,6 @@
 
 #include "domain/exits.h"
 #include "scene/particles/sphere_mass.h"
-#include "support/draw.h"
 
 namespace repose::test {
 namespace {

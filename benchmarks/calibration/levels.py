@@ -21,13 +21,14 @@ AT_REST = {'until = "time"\ntime = 0.25': 'until = "kinetic_energy"\nkinetic_ene
            'until = "time"\ntime = 1.1': 'until = "kinetic_energy"\nkinetic_energy = 1e-10\nmin_time = 0.25\nmax_time = 1.1',
            "snapshot_times = [0.25]": ""}
 STUDY = replace(FRICTION, sets=[], seeds=2)
-# Grains of 0.66 mm that are ten times as soft: a third of the number and steps 4.5 times as long, a fifteenth of the cost.
+# Grains of 0.55 mm, 25 times as soft: half the number and steps 5.6 times as long, a tenth of the cost. Coarser ones say little of the
+# mass (README.md).
 LEVELS = """
 [[level]]
 name = "coarse"
-set = ["particles.0.diameter=0.66 mm", "particles.0.count=2774", "particles.0.spacing=1.155 mm",
-       "material.0.youngs_modulus=0.5 MPa", "material.1.youngs_modulus=0.5 MPa", "time.step=22.5 us"]
-start = 14
+set = ["particles.0.diameter=0.55 mm", "particles.0.count=4793", "particles.0.spacing=0.77 mm",
+       "material.0.youngs_modulus=0.2 MPa", "material.1.youngs_modulus=0.2 MPa", "time.step=28 us"]
+start = 18
 [[level]]
 name = "mini"
 start = 5
@@ -51,27 +52,41 @@ class Searches:
         deck.write_text(text)
         return repose.calibrate(deck, self.work / name, ranks=self.options.ranks, program=self.options.program)
 
-    def search(self, name, laboratory, start, half_width, levels=""):
-        """Estimate and particle-steps of a search that stops at this half-width or at the budget. Its first batch is the
-        same for every laboratory: it is run once and copied, and counts in each."""
-        adaptive = {"start": start, "batch": 2, "budget_core_hours": self.options.budget, "half_width": half_width}
+    def search(self, name, laboratory, half_width, budget, levels=""):
+        """A search that ends at the half-width or at the budget. Its first batch is the same for every laboratory: it is
+        run once and copied, and counts in each."""
+        adaptive = {"start": 9, "batch": 2, "budget_core_hours": budget, "half_width": half_width}
         begun = self.calibrate(f"start_{name.split('_')[0]}",
                                STUDY.search(self.base, laboratory, adaptive | {"budget_core_hours": FIRST_BATCH}) + levels)
         shutil.copytree(begun.directory / "runs", self.work / name / "runs", dirs_exist_ok=True)
-        found = self.calibrate(name, STUDY.search(self.base, laboratory, adaptive) + levels)
-        return found.estimate, particle_steps(found)
-
-
-def particle_steps(calibration):
-    summaries = [run.summary for run in calibration.runs if run is not None and run.is_complete]
-    return sum(s["steps"] * s["particles"]["inserted"] for s in summaries)
+        return self.calibrate(name, STUDY.search(self.base, laboratory, adaptive) + levels)
 
 
 def row_of(search, hidden):
-    found, steps = search
-    return {"particle_steps": steps, "half_width": found["half_width"],
-            "values": [p["values"] for p in found["points"]], "covered": misfit_at(found["surfaces"], hidden) <= found["limit"],
+    """What a search has found, and how its half-width fell with its cost, in core-hours of 8e6 particle-steps a second."""
+    found = search.estimate
+    summaries = [run.summary for run in search.runs if run is not None and run.is_complete]
+    return {"particle_steps": sum(s["steps"] * s["particles"]["inserted"] for s in summaries),
+            "cpu_hours": sum(s["timing"]["loop_cpu_s"] for s in summaries) / 3600.0,
+            "way": [{"core_hours": hours, "half_width": width if width == width else None}
+                    for hours, width in zip(search.search["core_hours"].tolist(), search.search["half_width"].tolist())],
+            "half_width": found["half_width"], "values": [p["values"] for p in found["points"]],
+            "covered": misfit_at(found["surfaces"], hidden) <= found["limit"],
             "levels": found.get("levels"), "links": [o.get("links") for o in found["observables"]]}
+
+
+def cost_of(way, half_width):
+    """Core-hours after which a search stayed at this half-width or below."""
+    stays = [all((later["half_width"] or 1.0) <= half_width for later in way[k:]) for k in range(len(way))]
+    return way[stays.index(True)]["core_hours"]
+
+
+def compare(row):
+    """The costs of both searches at the least half-width that both came to."""
+    ways = [row[kind]["way"] for kind in ("levels", "alone")]
+    half_width = max(way[-1]["half_width"] or 1.0 for way in ways)
+    levels, alone = (cost_of(way, half_width) for way in ways)
+    return {"half_width": half_width, "levels_core_hours": levels, "alone_core_hours": alone, "share": levels / alone}
 
 
 def main():
@@ -80,8 +95,9 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "levels")
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "calibration")
     parser.add_argument("--ranks", type=int, default=len(os.sched_getaffinity(0)))
-    parser.add_argument("--half-width", type=float, default=0.12, help="of the widest interval, at which both searches end")
-    parser.add_argument("--budget", type=float, default=5.0, help="core-hours of a search at most")
+    parser.add_argument("--half-width", type=float, default=0.08, help="of the widest interval, at which a search over levels ends")
+    parser.add_argument("--budget", type=float, default=1.5, help="of such a search in core-hours of 8e6 particle-steps a second")
+    parser.add_argument("--budget-alone", type=float, default=2.2, help="of a search on discharge_mini alone")
     parser.add_argument("--anew", action="store_true", help="do not go on from the results of an earlier call")
     options = parser.parse_args()
     searches = Searches(options)
@@ -94,11 +110,12 @@ def main():
         for number, row in enumerate(rows):
             if kind in row:
                 continue
-            found = searches.search(f"{kind}_{number}", row["laboratory"], 9, options.half_width, levels)
-            row[kind] = row_of(found, row["hidden"])
-            if kind == "alone":
-                row["share"] = row["levels"]["particle_steps"] / row["alone"]["particle_steps"]
+            ends = (options.half_width, options.budget) if levels else (row["levels"]["half_width"], options.budget_alone)
+            row[kind] = row_of(searches.search(f"{kind}_{number}", row["laboratory"], *ends, levels), row["hidden"])
             print(row["hidden"], kind, row[kind], flush=True)
+            if kind == "alone":
+                row["same_half_width"] = compare(row)
+                print(row["hidden"], row["same_half_width"], flush=True)
             save(options.results / "levels.json", rows=rows)
 
 

@@ -7,6 +7,7 @@ import pathlib
 import subprocess
 
 import contours
+import reduced
 import sand_layer
 from bench import ROOT, Bench, figures, flat_floor, means_of, repose, save, vessel, with_seeds, write
 
@@ -64,9 +65,12 @@ def funnel(options):
 
 
 def sizes(options):
-    """1.5 g of CarboHSP of one size and of its distribution, each with its calibrated friction, from a cylinder of 6 mm."""
+    """1.5 g of CarboHSP from a cylinder of 6 mm: of one size (the thesis's, which stands for what it leaves out, and that of the
+    mean volume of the distribution) and of its distribution, each with its calibrated friction."""
     small = vessel("1.5 g", flat_floor(0.006, 0.051), 0.07)
-    decks = {"mono": ("carbohsp_mono.toml", [*small, "particles.0.spacing=770 um"]), "multi": ("carbohsp_multi.toml", small)}
+    decks = {"one_440": ("carbohsp_mono.toml", [*small, "particles.0.spacing=770 um"]),
+             "one_368": ("carbohsp_mono.toml", [*small, "particles.0.spacing=644 um", "particles.0.diameter=368 um"]),
+             "many": ("carbohsp_multi.toml", small)}
     runs = {}
     for name, (deck, sets) in decks.items():
         runs |= with_seeds(f"sizes_{name}", deck, sets, options.seeds)
@@ -75,7 +79,9 @@ def sizes(options):
     write(options, "sizes", summaries, rows)
 
 
-STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study, "contours": contours.study}
+STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study,
+           "contours": contours.study, "sensitivity": reduced.sensitivity, "orifice": reduced.orifice,
+           "clogging": reduced.clogging, "bulk_density": reduced.bulk_density}
 
 
 def main():

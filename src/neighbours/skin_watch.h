@@ -25,8 +25,12 @@ class SkinWatch {
   /// as the inner skin is used up on any: a new inner list grants every particle another inner skin.
   bool outer_is_too_short(const Particles& particles) const;
 
-  /// Steps at present speed that outer skins cover from now on, in s; to be followed by a new outer list.
-  void set_outer_horizon(double horizon) { outer_.horizon = horizon; }
+  /// How long, in s at present speed, inner and outer skins are to cover from now on; to be followed by a new outer
+  /// list.
+  void set_horizons(double inner, double outer) {
+    inner_.horizon = inner;
+    outer_.horizon = outer;
+  }
 
   std::size_t bytes() const { return bytes_of(inner_marks_) + bytes_of(outer_marks_); }
   const SkinRule& inner() const { return inner_; }

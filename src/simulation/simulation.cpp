@@ -18,7 +18,7 @@
 namespace repose {
 namespace {
 
-constexpr std::int64_t inner_horizon_steps = 32;  // steps at present speed that the inner skin covers
+constexpr std::int64_t inner_horizon_steps = InnerHorizon::longest;         // the most that the inner skin covers
 constexpr std::int64_t outer_horizon_steps = ListHorizon::choices.front();  // the most that the outer skin covers
 
 void append_particle(const NewParticles& from, std::size_t i, Particles& to) {
@@ -268,7 +268,9 @@ Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
   if (worst == alarmed) check_guards();
   if (worst == 0) return ListState::valid;
   const int short_here = outer_too_old || watch_.outer_is_too_short(particles_) ? 1 : 0;
-  return comm_.max(short_here) != 0 ? ListState::outer_stale : ListState::inner_stale;
+  if (comm_.max(short_here) == 0) return ListState::inner_stale;
+  inner_horizon_.outer_lasted(steps_ + 1 - outer_listed_at_);
+  return ListState::outer_stale;
 }
 
 void Simulation::rebuild_lists() { rebuild_lists(contact_memory()); }
@@ -284,7 +286,7 @@ void Simulation::rebuild_lists(ContactMemory memory) {
   set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
   scene_.list_held(particles_);
   check_time_step();
-  choose_list_horizon(listed);
+  choose_horizons(listed);
   std::vector<double> reach = ghosts_.set_up(decomposition_, watch_.outer(), particles_);
   std::vector<IndexPair> near = near_pairs(particles_.record, reach, particles_.owned);
   ignore_held(near, reach);
@@ -339,11 +341,12 @@ void Simulation::balance() {
   ++counters_.bisections;
 }
 
-void Simulation::choose_list_horizon(std::size_t listed) {
+void Simulation::choose_horizons(std::size_t listed) {
   ListHorizon::Counts counts = ListHorizon::count(particles_, watch_.outer().share, time_step_.step, listed);
   comm_.sum_elements(std::span(counts.begin(), counts.end()));
   list_horizon_.choose(counts);
-  watch_.set_outer_horizon(static_cast<double>(list_horizon_.steps()) * time_step_.step);
+  watch_.set_horizons(static_cast<double>(inner_horizon_.steps()) * time_step_.step,
+                      static_cast<double>(list_horizon_.steps()) * time_step_.step);
 }
 
 /// The criteria of the time step with the true greatest speed, with one warning in all.

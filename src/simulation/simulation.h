@@ -13,6 +13,7 @@
 #include "domain/ghost_exchange.h"
 #include "heat/heat_transfer.h"
 #include "integration/time_step.h"
+#include "neighbours/inner_horizon.h"
 #include "neighbours/list_horizon.h"
 #include "neighbours/pair_lists.h"
 #include "neighbours/skin_watch.h"
@@ -132,7 +133,7 @@ class Simulation {
   void rebuild_lists();
   void rebuild_lists(ContactMemory memory);
   void balance();
-  void choose_list_horizon(std::size_t listed);
+  void choose_horizons(std::size_t listed);
   void check_time_step();
   GuardView guard_view(std::int64_t step) const;
   void count_leavers();
@@ -170,6 +171,7 @@ class Simulation {
   std::int64_t outer_listed_at_ = 0;  ///< step
   std::int64_t inner_selected_at_ = 0;
   SkinWatch watch_{{}, {}};
+  InnerHorizon inner_horizon_;
   ListHorizon list_horizon_;
   PairLists pairs_;
   WallContacts wall_contacts_;

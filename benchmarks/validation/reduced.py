@@ -78,7 +78,8 @@ def draw_sensitivity(parameters, found, laboratory, path):
             for place, p in enumerate(parameters):
                 value = found[p["name"]][end][figure]
                 if value["mean"] is None:
-                    axes.text(place + shift, 0.0, "none", ha="center", va="bottom", rotation=90, fontsize=8, color=colour)
+                    axes.text(place + shift, 0.02, "none", transform=axes.get_xaxis_transform(), ha="center", va="bottom",
+                              rotation=90, fontsize=8, color=colour)
                     continue
                 axes.bar(place + shift, factor * value["mean"], 0.34, yerr=factor * (value["standard_error"] or 0.0), color=colour,
                          alpha=0.8, capsize=3, label=f"{end}imum" if place == 1 else None)
@@ -86,7 +87,9 @@ def draw_sensitivity(parameters, found, laboratory, path):
             axes.axhline(factor * laboratory[figure]["mean"], color="black", linestyle="--", linewidth=1.0, label="calibrated")
         axes.set_xticks(range(len(parameters)), [p["name"].replace("_", "\n") for p in parameters], fontsize=8)
         axes.set_ylabel(name)
-    panels[0, 0].legend(fontsize=8)
+        if figure.endswith("count"):
+            axes.set_yscale("log")
+    drawn.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=3, fontsize=8)
     drawn.savefig(path, dpi=150)
     pyplot.close(drawn)
 

@@ -1,14 +1,18 @@
 #include "comm/node_memory.h"
 
+#include <charconv>
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <unistd.h>
+
+#include "base/error.h"
 
 namespace repose {
 namespace {
@@ -26,11 +30,18 @@ std::byte* map(const std::string& name, int flags, std::size_t bytes) {
   return base == MAP_FAILED ? nullptr : static_cast<std::byte*>(base);
 }
 
-/// How many ranks may share memory.
+/// How many ranks may share memory. Throws DeckError when the environment says something else.
 int most_ranks() {
   const char* const setting = std::getenv("REPOSE_NODE_RANKS");
-  const int ranks = setting == nullptr ? 0 : std::atoi(setting);
-  return ranks > 0 ? ranks : std::numeric_limits<int>::max();
+  if (setting == nullptr) return std::numeric_limits<int>::max();
+  const std::string_view text(setting);
+  int ranks = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), ranks);
+  if (error != std::errc() || rest != text.data() + text.size() || ranks < 1) {
+    throw DeckError(
+        fmt::format("the environment variable REPOSE_NODE_RANKS is \"{}\"; give a number of ranks from 1", text));
+  }
+  return ranks;
 }
 
 }  // namespace

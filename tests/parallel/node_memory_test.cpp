@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/error.h"
 #include "node_ranks.h"
 
 namespace repose::test {
@@ -72,6 +73,14 @@ TEST_F(NodeMemoryOf, SomeRanksIsSharedBySoMany) {
     EXPECT_EQ(memory.is_open(), has_neighbours);
     for (int rank = 0; rank < world.size(); ++rank)
       EXPECT_EQ(memory.is_near(rank), has_neighbours && rank / most == here);
+  }
+}
+
+TEST_F(NodeMemoryOf, ASettingThatIsNoNumberOfRanksIsRefused) {
+  if (world.size() == 1) GTEST_SKIP() << "one rank asks for no memory";
+  for (const std::string setting : {"", "two", "2 ranks", "0", "-1", "99999999999"}) {
+    const NodeRanks node(setting);
+    EXPECT_THROW(NodeMemory{world}, DeckError) << setting;
   }
 }
 

@@ -12,7 +12,8 @@ from dataclasses import replace
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "tests" / "regression")]
 from laboratories import FRICTION, misfit_at  # noqa: E402
-from report import save  # noqa: E402  (and where the package is)
+from report import print_table, save  # noqa: E402  (and where the package is)
+import cheap_levels  # noqa: E402
 import repose  # noqa: E402
 
 BASE = ROOT / "input" / "discharge_mini.toml"
@@ -98,6 +99,7 @@ def main():
     parser.add_argument("--half-width", type=float, default=0.08, help="of the widest interval, at which a search over levels ends")
     parser.add_argument("--budget", type=float, default=1.5, help="of such a search in core-hours of 8e6 particle-steps a second")
     parser.add_argument("--budget-alone", type=float, default=2.2, help="of a search on discharge_mini alone")
+    parser.add_argument("--cheap", action="store_true", help="compare cheap levels at nine points instead")
     parser.add_argument("--anew", action="store_true", help="do not go on from the results of an earlier call")
     options = parser.parse_args()
     searches = Searches(options)
@@ -106,6 +108,12 @@ def main():
         values = STUDY.laboratory_values(searches.calibrate("hidden", STUDY.laboratories(searches.base)).directory)
         rows = [{"hidden": hidden, "laboratory": laboratory} for hidden, laboratory in zip(STUDY.hidden, values)]
         save(options.results / "levels.json", rows=rows)
+    if options.cheap:
+        first_batch = {"start": 9, "batch": 2, "budget_core_hours": FIRST_BATCH, "half_width": options.half_width}
+        table = cheap_levels.compare(searches, STUDY, rows[0]["laboratory"], first_batch)
+        save(options.results / "cheap_levels.json", rows=table)
+        print_table(table)
+        return
     for kind, levels in (("levels", LEVELS), ("alone", "")):
         for number, row in enumerate(rows):
             if kind in row:

@@ -70,6 +70,37 @@ def means_of(summaries, name, count):
     return row
 
 
+def spread(summaries, name, seeds, figure):
+    """Mean and standard error of a figure over the seeds that have it, and how many have."""
+    values = [repose.files.number_in(summaries[f"{name}_{seed}"], figure) for seed in range(1, seeds + 1)]
+    values = [value for value in values if value is not None]
+    error = statistics.stdev(values) / len(values) ** 0.5 if len(values) > 1 else None
+    return {"mean": statistics.mean(values) if values else None, "standard_error": error, "runs": len(values)}
+
+
+def identities(summaries):
+    """What tells a run from any other."""
+    return {name: {"state_hash": s["state_hash"], "steps": s["steps"], "particles": s["particles"]["inserted"]}
+            for name, s in summaries.items()}
+
+
+def shown(value, factor):
+    """A spread as text, times a factor."""
+    if value["mean"] is None:
+        return "none"
+    error = "" if value["standard_error"] is None else f" +- {factor * value['standard_error']:.2g}"
+    return f"{factor * value['mean']:.4g}{error}"
+
+
+UNITS = {"discharged_mass_kg": ("discharged, g", 1e3), "angle_of_repose_deg": ("angle, degrees", 1.0),
+         "scattering.area_1.count": ("area 1", 1.0), "scattering.area_3.count": ("area 3", 1.0)}
+
+
+def row_of(spreads):
+    """The spreads of {figure: spread} as columns of a table."""
+    return {name: shown(spreads[figure], factor) for figure, (name, factor) in UNITS.items() if figure in spreads}
+
+
 def write(options, name, summaries, table):
     """The table and, for each run, what identifies it."""
     runs = {key: {"state_hash": s["state_hash"], "steps": s["steps"], "particles": s["particles"]["inserted"],

@@ -6,9 +6,12 @@ import math
 import pathlib
 import subprocess
 
+import bulk_density
+import clogging
 import contours
-import reduced
+import orifice
 import sand_layer
+import sensitivity
 from bench import ROOT, Bench, figures, flat_floor, means_of, repose, save, vessel, with_seeds, write
 
 MATERIALS = ("material.0", "material.1")
@@ -80,8 +83,8 @@ def sizes(options):
 
 
 STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study,
-           "contours": contours.study, "sensitivity": reduced.sensitivity, "orifice": reduced.orifice,
-           "clogging": reduced.clogging, "bulk_density": reduced.bulk_density}
+           "contours": contours.study, "sensitivity": sensitivity.study, "orifice": orifice.study,
+           "clogging": clogging.study, "bulk_density": bulk_density.study}
 
 
 def main():

@@ -1,0 +1,22 @@
+"""With which friction sand of many sizes plugs the hole of 5 mm: section 3.5 of the thesis."""
+
+import contours
+from bench import Bench, identities, print_table, save, shown, spread, with_seeds
+
+CORNERS = ((0.3, 0.4), (0.5, 0.4), (0.3, 0.6), (0.5, 0.6), (0.6, 0.6), (0.5, 0.7), (0.7, 0.7), (0.9, 0.9))  # sliding, rolling friction
+
+
+def study(options):
+    """In a vessel of 8 mm radius with 3 g."""
+    runs = {}
+    for sliding, rolling in CORNERS:
+        runs |= with_seeds(f"clogging_{sliding}_{rolling}", "sand_multi.toml",
+                           [*contours.SMALL_SAND, f"pair.0.sliding_friction={sliding}", f"pair.0.rolling_friction={rolling}"], options.seeds)
+    summaries = Bench(options).run_all(runs)
+    rows = []
+    for sliding, rolling in CORNERS:
+        own = [summaries[f"clogging_{sliding}_{rolling}_{seed}"] for seed in range(1, options.seeds + 1)]
+        rows.append({"sliding": sliding, "rolling": rolling, "plugged": f"{sum(s['plugged'] for s in own)} of {len(own)}",
+                     "discharged, g": shown(spread(summaries, f"clogging_{sliding}_{rolling}", options.seeds, "discharged_mass_kg"), 1e3)})
+    save(options.results / "clogging.json", seeds=options.seeds, runs=identities(summaries), rows=rows)
+    print_table(rows)

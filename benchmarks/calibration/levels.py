@@ -125,6 +125,18 @@ def main():
                 row["same_half_width"] = compare(row)
                 print(row["hidden"], row["same_half_width"], flush=True)
             save(options.results / "levels.json", rows=rows)
+    print_table([table_row(row) for row in rows])
+
+
+def table_row(row):
+    """What both searches came to, and the costs at the same half-width."""
+    shown = {"sliding": row["hidden"][0], "rolling": row["hidden"][1]}
+    for kind in ("levels", "alone"):
+        shown |= {f"{kind}: half-width": row[kind]["half_width"], f"{kind}: core-hours": row[kind]["way"][-1]["core_hours"],
+                  f"{kind}: in the region": "yes" if row[kind]["covered"] else "no"}
+    same = row["same_half_width"]
+    return shown | {"at half-width": same["half_width"], "levels cost": same["levels_core_hours"],
+                    "alone costs": same["alone_core_hours"], "share": same["share"]}
 
 
 def rows_so_far(options):

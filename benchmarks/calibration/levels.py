@@ -12,8 +12,8 @@ from dataclasses import replace
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "tests" / "regression")]
 from laboratories import FRICTION, misfit_at  # noqa: E402
-from report import print_table, save  # noqa: E402  (and where the package is)
 import cheap_levels  # noqa: E402
+from report import print_table, save  # noqa: E402  (and where the package is)
 import repose  # noqa: E402
 
 BASE = ROOT / "input" / "discharge_mini.toml"
@@ -22,18 +22,23 @@ AT_REST = {'until = "time"\ntime = 0.25': 'until = "kinetic_energy"\nkinetic_ene
            'until = "time"\ntime = 1.1': 'until = "kinetic_energy"\nkinetic_energy = 1e-10\nmin_time = 0.25\nmax_time = 1.1',
            "snapshot_times = [0.25]": ""}
 STUDY = replace(FRICTION, sets=[], seeds=2)
-# Grains of 0.55 mm, 25 times as soft: half the number and steps 5.6 times as long, a tenth of the cost. Coarser ones say little of the
-# mass (README.md).
-LEVELS = """
+LEVEL = """
 [[level]]
-name = "coarse"
-set = ["particles.0.diameter=0.55 mm", "particles.0.count=4793", "particles.0.spacing=0.77 mm",
-       "material.0.youngs_modulus=0.2 MPa", "material.1.youngs_modulus=0.2 MPa", "time.step=28 us"]
-start = 18
+name = "{}"
+set = {}
+start = {}
 [[level]]
 name = "mini"
 start = 5
 """
+# What is searched, over which cheap level, and with how many core-hours of 8e6 particle-steps a second at most: coarse grains go
+# on from their first batch, soft ones do not.
+SEARCHES = {
+    "coarse": (LEVEL.format("coarse", json.dumps(cheap_levels.CANDIDATES["d55"][1]), 18), 1.5),
+    "soft": (LEVEL.format("soft", json.dumps(cheap_levels.CANDIDATES["d44"][1]), 14), 0.9),
+    "alone": ("", 2.2),
+}
+CHEAP = ("coarse", "soft")
 FIRST_BATCH = 1e-6  # core-hours, with which a search ends after its first batch
 
 
@@ -82,12 +87,11 @@ def cost_of(way, half_width):
     return way[stays.index(True)]["core_hours"]
 
 
-def compare(row):
-    """The costs of both searches at the least half-width that both came to."""
-    ways = [row[kind]["way"] for kind in ("levels", "alone")]
+def compare(ways):
+    """The costs of a search over levels and of one on the last alone, at the least half-width that both came to."""
     half_width = max(way[-1]["half_width"] or 1.0 for way in ways)
     levels, alone = (cost_of(way, half_width) for way in ways)
-    return {"half_width": half_width, "levels_core_hours": levels, "alone_core_hours": alone, "share": levels / alone}
+    return {"half_width": half_width, "core_hours": levels, "alone_core_hours": alone, "share": levels / alone}
 
 
 def main():
@@ -97,8 +101,6 @@ def main():
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "calibration")
     parser.add_argument("--ranks", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--half-width", type=float, default=0.08, help="of the widest interval, at which a search over levels ends")
-    parser.add_argument("--budget", type=float, default=1.5, help="of such a search in core-hours of 8e6 particle-steps a second")
-    parser.add_argument("--budget-alone", type=float, default=2.2, help="of a search on discharge_mini alone")
     parser.add_argument("--cheap", action="store_true", help="compare cheap levels at nine points instead")
     parser.add_argument("--anew", action="store_true", help="do not go on from the results of an earlier call")
     options = parser.parse_args()
@@ -114,29 +116,25 @@ def main():
         save(options.results / "cheap_levels.json", rows=table)
         print_table(table)
         return
-    for kind, levels in (("levels", LEVELS), ("alone", "")):
+    for kind, (levels, budget) in SEARCHES.items():
         for number, row in enumerate(rows):
             if kind in row:
                 continue
-            ends = (options.half_width, options.budget) if levels else (row["levels"]["half_width"], options.budget_alone)
-            row[kind] = row_of(searches.search(f"{kind}_{number}", row["laboratory"], *ends, levels), row["hidden"])
+            half_width = options.half_width if levels else min(row[cheap]["half_width"] for cheap in CHEAP)
+            row[kind] = row_of(searches.search(f"{kind}_{number}", row["laboratory"], half_width, budget, levels), row["hidden"])
             print(row["hidden"], kind, row[kind], flush=True)
-            if kind == "alone":
-                row["same_half_width"] = compare(row)
-                print(row["hidden"], row["same_half_width"], flush=True)
             save(options.results / "levels.json", rows=rows)
-    print_table([table_row(row) for row in rows])
+    print_table([table_row(row, kind) for kind in CHEAP for row in rows])
 
 
-def table_row(row):
-    """What both searches came to, and the costs at the same half-width."""
-    shown = {"sliding": row["hidden"][0], "rolling": row["hidden"][1]}
-    for kind in ("levels", "alone"):
-        shown |= {f"{kind}: half-width": row[kind]["half_width"], f"{kind}: core-hours": row[kind]["way"][-1]["core_hours"],
-                  f"{kind}: in the region": "yes" if row[kind]["covered"] else "no"}
-    same = row["same_half_width"]
-    return shown | {"at half-width": same["half_width"], "levels cost": same["levels_core_hours"],
-                    "alone costs": same["alone_core_hours"], "share": same["share"]}
+def table_row(row, kind):
+    """What a search over a cheap level came to, and the costs at the same half-width."""
+    same = compare([row[kind]["way"], row["alone"]["way"]])
+    return {"cheap level": kind, "hidden": f"{row['hidden'][0]}, {row['hidden'][1]}", "half-width": row[kind]["half_width"],
+            "core-hours": row[kind]["way"][-1]["core_hours"], "in the region": "yes" if row[kind]["covered"] else "no",
+            "alone: half-width": row["alone"]["half_width"], "alone: core-hours": row["alone"]["way"][-1]["core_hours"],
+            "alone: in the region": "yes" if row["alone"]["covered"] else "no",
+            "at half-width": same["half_width"], "cost": same["core_hours"], "alone costs": same["alone_core_hours"], "share": same["share"]}
 
 
 def rows_so_far(options):

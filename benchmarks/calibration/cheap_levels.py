@@ -19,49 +19,38 @@ CANDIDATES = {
 }
 
 
-def values_of(calibration, figure, points):
-    """Of each of `points`, or of each that there is, the values of its seeds."""
+def values_of(calibration, figure):
+    """{point: the values of its seeds}."""
     grid = calibration.grid
     found = {}
-    for x, y, value in zip(grid[calibration.parameters[0]], grid[calibration.parameters[1]], grid[figure]):
-        found.setdefault((x, y), []).append(float(value))
-    return [found[point] for point in points or found], points or list(found)
+    for *point, value in zip(*(grid[name] for name in calibration.parameters), grid[figure]):
+        found.setdefault(tuple(point), []).append(float(value))
+    return found
 
 
-def deviation(values):
-    """Of one run: pooled over the points."""
-    return statistics.mean(statistics.variance(seeds) for seeds in values) ** 0.5
-
-
-def mean_costs(calibration):
-    """Particle-steps and seconds of a run."""
+def work_of(calibration):
+    """Particle-steps and seconds of cpu time of each complete run."""
     summaries = [run.summary for run in calibration.runs if run is not None and run.is_complete]
-    return (statistics.mean(s["steps"] * s["particles"]["inserted"] for s in summaries),
-            statistics.mean(s["timing"]["loop_cpu_s"] for s in summaries))
+    return [(s["steps"] * s["particles"]["inserted"], s["timing"]["loop_cpu_s"]) for s in summaries]
 
 
-def row(name, figures, own, others, costs):
-    """Correlation of the means over the points, and the scatter of a run, in g and degrees."""
-    content = {"level": name, "particle-steps": costs[0], "cpu time": costs[1]}
-    for figure, factor in figures.items():
-        mini, cheap = own[figure], others[figure]
-        means = [[factor * statistics.mean(seeds) for seeds in values] for values in (mini, cheap)]
-        content |= {f"{figure} correlation": statistics.correlation(*means), f"{figure} scatter": factor * deviation(cheap)}
+def row(title, mini, cheap):
+    """What a run costs, correlation of the means over the points, and the scatter of a run, in g and degrees."""
+    costs = [[statistics.mean(column) for column in zip(*work_of(calibration))] for calibration in (cheap, mini)]
+    content = {"level": title, "particle-steps": costs[0][0] / costs[1][0], "cpu time": costs[0][1] / costs[1][1]}
+    for figure, factor in (("discharged_mass_kg", 1e3), ("angle_of_repose_deg", 1.0)):
+        own, other = values_of(mini, figure), values_of(cheap, figure)
+        means = [[factor * statistics.mean(values[point]) for point in own] for values in (own, other)]
+        scatter = statistics.mean(statistics.variance(seeds) for seeds in other.values()) ** 0.5
+        content |= {f"{figure} correlation": statistics.correlation(*means), f"{figure} scatter": factor * scatter}
     return content
 
 
-def compare(searches, study, laboratory, adaptive):
+def compare(searches, study, laboratory):
     """A row for discharge_mini and each candidate, from two seeds at nine points."""
-    figures = {"discharged_mass_kg": 1e3, "angle_of_repose_deg": 1.0}
-    mini = searches.calibrate("start_alone", study.search(searches.base, laboratory, adaptive))
-    own, points = {}, None
-    for figure in figures:
-        own[figure], points = values_of(mini, figure, points)
-    full = mean_costs(mini)
-    rows = [row("discharge_mini", figures, own, own, (1.0, 1.0))]
+    mini = searches.first_batch("alone", study, laboratory)
+    rows = [row("discharge_mini", mini, mini)]
     for name, (title, sets) in CANDIDATES.items():
-        deck = replace(study, sets=study.sets + sets).search(searches.base, laboratory, adaptive)
-        cheap = searches.calibrate(f"cheap_{name}", deck)
-        others = {figure: values_of(cheap, figure, points)[0] for figure in figures}
-        rows.append(row(title, figures, own, others, [a / b for a, b in zip(mean_costs(cheap), full)]))
+        cheap = searches.first_batch(name, replace(study, sets=study.sets + sets), laboratory)
+        rows.append(row(title, mini, cheap))
     return rows

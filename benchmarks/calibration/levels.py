@@ -38,8 +38,9 @@ SEARCHES = {
     "soft": (LEVEL.format("soft", json.dumps(cheap_levels.CANDIDATES["d44"][1]), 14), 0.9),
     "alone": ("", 2.2),
 }
-CHEAP = ("coarse", "soft")
-FIRST_BATCH = 1e-6  # core-hours, with which a search ends after its first batch
+CHEAP = [kind for kind, (levels, _) in SEARCHES.items() if levels]
+ADAPTIVE = {"start": 9, "batch": 2}
+FIRST_BATCH = {"budget_core_hours": 1e-6, "half_width": 0.1}  # a search that ends after its first batch
 
 
 class Searches:
@@ -61,19 +62,21 @@ class Searches:
     def search(self, name, laboratory, half_width, budget, levels=""):
         """A search that ends at the half-width or at the budget. Its first batch is the same for every laboratory: it is
         run once and copied, and counts in each."""
-        adaptive = {"start": 9, "batch": 2, "budget_core_hours": budget, "half_width": half_width}
-        begun = self.calibrate(f"start_{name.split('_')[0]}",
-                               STUDY.search(self.base, laboratory, adaptive | {"budget_core_hours": FIRST_BATCH}) + levels)
+        begun = self.first_batch(name.split("_")[0], STUDY, laboratory, levels)
         shutil.copytree(begun.directory / "runs", self.work / name / "runs", dirs_exist_ok=True)
+        adaptive = ADAPTIVE | {"budget_core_hours": budget, "half_width": half_width}
         return self.calibrate(name, STUDY.search(self.base, laboratory, adaptive) + levels)
+
+    def first_batch(self, kind, study, laboratory, levels=""):
+        """The first batch of the searches of a kind."""
+        return self.calibrate(f"start_{kind}", study.search(self.base, laboratory, ADAPTIVE | FIRST_BATCH) + levels)
 
 
 def row_of(search, hidden):
     """What a search has found, and how its half-width fell with its cost, in core-hours of 8e6 particle-steps a second."""
     found = search.estimate
-    summaries = [run.summary for run in search.runs if run is not None and run.is_complete]
-    return {"particle_steps": sum(s["steps"] * s["particles"]["inserted"] for s in summaries),
-            "cpu_hours": sum(s["timing"]["loop_cpu_s"] for s in summaries) / 3600.0,
+    particle_steps, cpu_seconds = zip(*cheap_levels.work_of(search))
+    return {"particle_steps": sum(particle_steps), "cpu_hours": sum(cpu_seconds) / 3600.0,
             "way": [{"core_hours": hours, "half_width": width if width == width else None}
                     for hours, width in zip(search.search["core_hours"].tolist(), search.search["half_width"].tolist())],
             "half_width": found["half_width"], "values": [p["values"] for p in found["points"]],
@@ -111,8 +114,7 @@ def main():
         rows = [{"hidden": hidden, "laboratory": laboratory} for hidden, laboratory in zip(STUDY.hidden, values)]
         save(options.results / "levels.json", rows=rows)
     if options.cheap:
-        first_batch = {"start": 9, "batch": 2, "budget_core_hours": FIRST_BATCH, "half_width": options.half_width}
-        table = cheap_levels.compare(searches, STUDY, rows[0]["laboratory"], first_batch)
+        table = cheap_levels.compare(searches, STUDY, rows[0]["laboratory"])
         save(options.results / "cheap_levels.json", rows=table)
         print_table(table)
         return

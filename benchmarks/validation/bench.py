@@ -39,9 +39,14 @@ def figures(summary):
             "time_s": summary["discharge_time_s"], "rate_g_s": 1e3 * summary["discharge_rate_kg_s"]}
 
 
-def flat_floor(radius, height):
-    """Points (r, z) in m of a cylinder from the hole of 5 mm in its floor to its rim."""
-    return [(0.0025, 0.0), (radius, 0.0), (radius, height)]
+def flat_floor(radius, height, hole=0.0025):
+    """Points (r, z) in m of a cylinder from the hole in its floor, by default of 5 mm, to its rim. hole: its radius."""
+    return [(hole, 0.0), (radius, 0.0), (radius, height)]
+
+
+def vessel_wall(points):
+    """The override that gives the vessel's wall these points (r, z) in m, hole first."""
+    return f"wall.vessel.points={[list(point) for point in reversed(points)]}"
 
 
 def vessel(mass, points, half_width):
@@ -50,7 +55,7 @@ def vessel(mass, points, half_width):
     _, (radius, bottom), (_, top) = points
     return [f"particles.0.mass={mass}", f"particles.0.radius={1e3 * radius:g} mm", f"particles.0.centre=[0.0, 0.0, {bottom}]",
             f"particles.0.height={1e3 * (top - bottom) - 2:g} mm", f"domain.max=[{half_width}, {half_width}, {top}]",
-            f"wall.vessel.points={[list(point) for point in reversed(points)]}"]
+            vessel_wall(points)]
 
 
 def with_seeds(name, deck, sets, count):
@@ -70,10 +75,15 @@ def means_of(summaries, name, count):
     return row
 
 
-def spread(summaries, name, seeds, figure):
-    """Mean and standard error of a figure over the seeds that have it, and how many have."""
-    values = [repose.files.number_in(summaries[f"{name}_{seed}"], figure) for seed in range(1, seeds + 1)]
-    values = [value for value in values if value is not None]
+def values_of(summaries, figure):
+    """A figure of the runs that have it."""
+    values = [repose.files.number_in(summary, figure) for summary in summaries]
+    return [value for value in values if value is not None]
+
+
+def spread(summaries, name, count, figure):
+    """Mean and standard error of a figure over the runs of `with_seeds` that have it, and how many have."""
+    values = values_of([summaries[f"{name}_{seed}"] for seed in range(1, count + 1)], figure)
     error = statistics.stdev(values) / len(values) ** 0.5 if len(values) > 1 else None
     return {"mean": statistics.mean(values) if values else None, "standard_error": error, "runs": len(values)}
 
@@ -96,15 +106,19 @@ UNITS = {"discharged_mass_kg": ("discharged, g", 1e3), "angle_of_repose_deg": ("
          "scattering.area_1.count": ("area 1", 1.0), "scattering.area_3.count": ("area 3", 1.0)}
 
 
-def row_of(spreads):
-    """The spreads of {figure: spread} as columns of a table."""
-    return {name: shown(spreads[figure], factor) for figure, (name, factor) in UNITS.items() if figure in spreads}
+def spreads(summaries, name, count, figures=tuple(UNITS)):
+    """{figure: its spread}."""
+    return {figure: spread(summaries, name, count, figure) for figure in figures}
+
+
+def row_of(found):
+    """{figure: spread} as columns of a table."""
+    return {name: shown(found[figure], factor) for figure, (name, factor) in UNITS.items() if figure in found}
 
 
 def write(options, name, summaries, table):
     """The table and, for each run, what identifies it."""
-    runs = {key: {"state_hash": s["state_hash"], "steps": s["steps"], "particles": s["particles"]["inserted"],
-                  "wall_seconds": round(s["wall_seconds"], 1), "ranks": s["ranks"], **figures(s)}
-            for key, s in summaries.items()}
+    runs = {key: {**identity, "wall_seconds": round(summaries[key]["wall_seconds"], 1), "ranks": summaries[key]["ranks"],
+                  **figures(summaries[key])} for key, identity in identities(summaries).items()}
     print_table(table, digits=4)
     save(options.results / f"{name}.json", build=next(iter(summaries.values()))["build"], table=table, runs=runs)

@@ -7,7 +7,7 @@ import json
 import statistics
 import tomllib
 
-from bench import ROOT, Bench, flat_floor, print_table, repose, save, vessel
+from bench import ROOT, Bench, flat_floor, print_table, repose, save, values_of, vessel
 from repose import plots
 
 LABORATORY_SEEDS, FIRST_SEED = 4, 101
@@ -31,8 +31,7 @@ def laboratory(options, name, deck, sets, figures):
     summaries = Bench(options).run_all(runs)
     found = {}
     for figure in figures:
-        values = [repose.files.number_in(summary, figure) for summary in summaries.values()]
-        values = [value for value in values if value is not None]
+        values = values_of(summaries.values(), figure)
         found[figure] = (statistics.mean(values), statistics.stdev(values)) if len(values) > 1 else None
     return found
 

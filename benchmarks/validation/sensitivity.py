@@ -4,7 +4,7 @@ import tomllib
 
 import matplotlib
 
-from bench import ROOT, UNITS, Bench, identities, print_table, row_of, save, spread, with_seeds
+from bench import ROOT, UNITS, Bench, identities, print_table, row_of, save, spreads, with_seeds
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -21,9 +21,9 @@ def study(options):
             runs |= with_seeds(f"sensitivity_{p['name']}_{end}", "scatter_mini.toml", [*held, f"{p['key']}={p[end]}"], options.seeds)
     runs |= with_seeds("sensitivity_laboratory", "scatter_mini.toml", ["pair.0.restitution=0.71"], options.seeds)
     summaries = Bench(options).run_all(runs)
-    found = {p["name"]: {end: {f: spread(summaries, f"sensitivity_{p['name']}_{end}", options.seeds, f) for f in UNITS}
-                         for end in ("min", "max")} for p in asked["parameter"]}
-    laboratory = {f: spread(summaries, "sensitivity_laboratory", options.seeds, f) for f in UNITS}
+    found = {p["name"]: {end: spreads(summaries, f"sensitivity_{p['name']}_{end}", options.seeds) for end in ("min", "max")}
+             for p in asked["parameter"]}
+    laboratory = spreads(summaries, "sensitivity_laboratory", options.seeds)
     rows = [{"parameter": p["name"], "value": p[end], **row_of(found[p["name"]][end])}
             for p in asked["parameter"] for end in ("min", "max")]
     rows.append({"parameter": "calibrated", "value": "", **row_of(laboratory)})

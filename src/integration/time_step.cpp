@@ -143,6 +143,10 @@ TimeStep choose_time_step(const Deck& deck, const MaterialTable& materials, cons
   TimeStep result = limits_of(deck, materials, radii, speed);
   const Criterion tight = tightest(deck.time, result);
   if (std::isnan(deck.time.step)) {
+    if (!(tight.limit < infinite)) {
+      throw DeckError(
+          "time.step is missing: no particle of the deck is free to move, so that nothing limits the time step");
+    }
     result.step = tight.limit;
     result.criterion = tight.name;
     return result;

@@ -46,7 +46,8 @@ struct SmallestRadii {
   std::vector<double> of_material;
 };
 
-/// Chooses the time step (thesis section 2.4), or checks the given one: DeckError when it exceeds a limit, naming it.
+/// Chooses the time step (thesis section 2.4), or checks the given one: DeckError when it exceeds a limit, naming it, or
+/// when there is neither a given one nor a limit.
 TimeStep choose_time_step(const Deck& deck, const MaterialTable& materials, const SmallestRadii& radii, double speed);
 
 /// The step over the tighter of both limits at the true greatest speed (m/s): above 1 the criteria are violated.

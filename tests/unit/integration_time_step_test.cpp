@@ -200,5 +200,14 @@ TEST(ChooseTimeStep, HookeHasItsOwnCriterion) {
   }
 }
 
+TEST(ChooseTimeStep, WhereNothingMovesOneMustBeGiven) {
+  Deck deck = two_materials();
+  const MaterialTable materials(deck);
+  const SmallestRadii nothing{{none, none}};
+  EXPECT_THROW(choose_time_step(deck, materials, nothing, 2.0), DeckError);
+  deck.time.step = 1e-5;
+  EXPECT_EQ(choose_time_step(deck, materials, nothing, 2.0).step, 1e-5);
+}
+
 }  // namespace
 }  // namespace repose::test

@@ -58,21 +58,13 @@ def vessel(mass, points, half_width):
             vessel_wall(points)]
 
 
+# The override that measures the bulk density of the settled bed of 8 g in a cylinder of 10 to 12 mm
+BULK_DENSITY = 'measurement.bulk_density={min=["-5 mm", "-5 mm", "1.5 mm"], max=["5 mm", "5 mm", "12 mm"]}'
+
+
 def with_seeds(name, deck, sets, count):
     """{name: (deck, sets)} of a run with several seeds."""
     return {f"{name}_{seed}": (deck, [*sets, f"run.seed={seed}"]) for seed in range(1, count + 1)}
-
-
-def means_of(summaries, name, count):
-    """Of each figure the mean over the runs of `with_seeds`, and their standard deviation."""
-    of_seeds = [figures(summaries[f"{name}_{seed}"]) for seed in range(1, count + 1)]
-    row = {"seeds": count}
-    for figure in of_seeds[0]:
-        values = [f[figure] for f in of_seeds]
-        complete = None not in values
-        row[figure] = statistics.mean(values) if complete else None
-        row[figure + " deviation"] = statistics.stdev(values) if complete and len(values) > 1 else None
-    return row
 
 
 def values_of(summaries, figure):
@@ -102,11 +94,15 @@ def shown(value, factor):
     return f"{factor * value['mean']:.4g}{error}"
 
 
+# Figures of a summary: what a table calls them, and by what they are multiplied there
 UNITS = {"discharged_mass_kg": ("discharged, g", 1e3), "angle_of_repose_deg": ("angle, degrees", 1.0),
-         "scattering.area_1.count": ("area 1", 1.0), "scattering.area_3.count": ("area 3", 1.0)}
+         "scattering.area_1.count": ("area 1", 1.0), "scattering.area_3.count": ("area 3", 1.0),
+         "discharge_time_s": ("discharge time, s", 1.0), "discharge_rate_kg_s": ("rate, g/s", 1e3)}
+SCATTERING = tuple(UNITS)[:4]
+DISCHARGE = ("discharged_mass_kg", "angle_of_repose_deg", "discharge_time_s", "discharge_rate_kg_s")
 
 
-def spreads(summaries, name, count, figures=tuple(UNITS)):
+def spreads(summaries, name, count, figures):
     """{figure: its spread}."""
     return {figure: spread(summaries, name, count, figure) for figure in figures}
 
@@ -116,8 +112,14 @@ def row_of(found):
     return {name: shown(found[figure], factor) for figure, (name, factor) in UNITS.items() if figure in found}
 
 
+def save_means(options, name, summaries, rows):
+    """The table of means over seeds and, for each run, what identifies it."""
+    print_table(rows)
+    save(options.results / f"{name}.json", seeds=options.seeds, runs=identities(summaries), rows=rows)
+
+
 def write(options, name, summaries, table):
-    """The table and, for each run, what identifies it."""
+    """The table of single runs and, for each, what identifies it and its figures."""
     runs = {key: {**identity, "wall_seconds": round(summaries[key]["wall_seconds"], 1), "ranks": summaries[key]["ranks"],
                   **figures(summaries[key])} for key, identity in identities(summaries).items()}
     print_table(table, digits=4)

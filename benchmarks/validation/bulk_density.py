@@ -1,9 +1,8 @@
 """How dense settled beds lie: what filling, friction, stiffness and sizes do to it."""
 
-from bench import Bench, flat_floor, identities, print_table, save, vessel
+from bench import BULK_DENSITY, Bench, flat_floor, identities, print_table, save, vessel
 
-SETTLE = ["phase.discharge.min_time=0.001", "phase.discharge.max_time=0.002",  # the bed alone
-          'measurement.bulk_density={min=["-5 mm", "-5 mm", "1.5 mm"], max=["5 mm", "5 mm", "12 mm"]}']
+SETTLE = ["phase.discharge.min_time=0.001", "phase.discharge.max_time=0.002", BULK_DENSITY]  # the bed alone
 TALL = vessel("8 g", flat_floor(0.011, 0.067), 0.03)
 BEDS = {  # deck and overrides
     "CarboHSP, one size": ("carbohsp_mono.toml", []),
@@ -21,7 +20,7 @@ def study(options):
     runs = {f"bed_{k}": (deck, [*TALL, *(["particles.0.spacing=600 um"] if "mono" in deck else []), *SETTLE, *own])
             for k, (deck, own) in enumerate(BEDS.values())}
     summaries = Bench(options).run_all(runs)
-    rows = [{"bed": name, "bulk density, kg/m3": summaries[f"bed_{k}"]["bulk_density_kg_m3"], "porosity": summaries[f"bed_{k}"]["porosity"]}
-            for k, name in enumerate(BEDS)]
+    rows = [{"bed": name, "bulk density, kg/m3": summaries[f"bed_{k}"]["bulk_density_kg_m3"],
+             "porosity": summaries[f"bed_{k}"]["porosity"]} for k, name in enumerate(BEDS)]
     save(options.results / "bulk_density.json", runs=identities(summaries), rows=rows)
     print_table(rows, digits=4)

@@ -4,7 +4,7 @@ import tomllib
 
 import matplotlib
 
-from bench import ROOT, UNITS, Bench, identities, print_table, row_of, save, spreads, with_seeds
+from bench import ROOT, SCATTERING, UNITS, Bench, identities, print_table, row_of, save, spreads, with_seeds
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -21,9 +21,9 @@ def study(options):
             runs |= with_seeds(f"sensitivity_{p['name']}_{end}", "scatter_mini.toml", [*held, f"{p['key']}={p[end]}"], options.seeds)
     runs |= with_seeds("sensitivity_laboratory", "scatter_mini.toml", ["pair.0.restitution=0.71"], options.seeds)
     summaries = Bench(options).run_all(runs)
-    found = {p["name"]: {end: spreads(summaries, f"sensitivity_{p['name']}_{end}", options.seeds) for end in ("min", "max")}
-             for p in asked["parameter"]}
-    laboratory = spreads(summaries, "sensitivity_laboratory", options.seeds)
+    found = {p["name"]: {end: spreads(summaries, f"sensitivity_{p['name']}_{end}", options.seeds, SCATTERING)
+                         for end in ("min", "max")} for p in asked["parameter"]}
+    laboratory = spreads(summaries, "sensitivity_laboratory", options.seeds, SCATTERING)
     rows = [{"parameter": p["name"], "value": p[end], **row_of(found[p["name"]][end])}
             for p in asked["parameter"] for end in ("min", "max")]
     rows.append({"parameter": "calibrated", "value": "", **row_of(laboratory)})
@@ -36,7 +36,7 @@ def study(options):
 def draw(parameters, found, laboratory, path):
     """Bars for both ends of each parameter, blue for the highest as in the thesis, and a line for the laboratory."""
     drawn, panels = pyplot.subplots(2, 2, figsize=(8.0, 5.6), layout="constrained")
-    for axes, figure in zip(panels.flat, UNITS):
+    for axes, figure in zip(panels.flat, SCATTERING):
         name, factor = UNITS[figure]
         for shift, end, colour in ((-0.18, "max", "tab:blue"), (0.18, "min", "tab:orange")):
             for place, p in enumerate(parameters):

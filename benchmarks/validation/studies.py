@@ -10,9 +10,11 @@ import bulk_density
 import clogging
 import contours
 import orifice
+import planes
 import sand_layer
 import sensitivity
-from bench import ROOT, Bench, figures, flat_floor, means_of, repose, save, vessel, with_seeds, write
+from bench import (BULK_DENSITY, DISCHARGE, ROOT, Bench, figures, flat_floor, repose, row_of, save, save_means, spreads, vessel,
+                   with_seeds, write)
 
 MATERIALS = ("material.0", "material.1")
 STOPPED = 75  # exit code of a run that was stopped with a checkpoint
@@ -41,29 +43,31 @@ def stiffness(options):
         sets = [f"{material}.youngs_modulus={modulus}" for material in MATERIALS]
         runs |= with_seeds(f"stiffness_{modulus}", "discharge_quick.toml", sets, options.seeds)
     summaries = Bench(options).run_all(runs)
-    rows = [{"E, Pa": modulus, **means_of(summaries, f"stiffness_{modulus}", options.seeds)} for modulus in moduli]
-    write(options, "stiffness", summaries, rows)
+    rows = [{"E, Pa": modulus, **row_of(spreads(summaries, f"stiffness_{modulus}", options.seeds, DISCHARGE))} for modulus in moduli]
+    save_means(options, "stiffness", summaries, rows)
 
 
 def funnel(options):
     """8 g, calibrated: what stays in cylinders of several radii, of CarboHSP of one size, by which the radius is chosen, and
     of sand in the radius chosen. The domain ends 6 mm below the hole, so that what has left costs nothing."""
-    # Deck, radius in mm, mean diameter in mm, bulk density in g/cm3 (thesis table 3.1), overrides
-    cases = {f"funnel_scatter_carbohsp_{radius:g}": ("scatter_carbohsp.toml", radius, 0.44, 2.115, ["particles.0.spacing=600 um"])
+    # Deck, radius in mm, mean diameter in mm, overrides
+    cases = {f"funnel_scatter_carbohsp_{radius:g}": ("scatter_carbohsp.toml", radius, 0.44, ["particles.0.spacing=600 um"])
              for radius in options.radii}
-    cases["funnel_scatter_sand_11"] = ("scatter_sand.toml", 11.0, 0.765, 1.526, [])
-    runs = {name: (deck, [*own, *vessel("8 g", flat_floor(1e-3 * radius, 0.067), 0.05), "domain.min=[-0.05, -0.05, -0.006]"])
-            for name, (deck, radius, _, _, own) in cases.items()}
+    cases["funnel_scatter_sand_11"] = ("scatter_sand.toml", 11.0, 0.765, [])
+    runs = {name: (deck, [*own, *vessel("8 g", flat_floor(1e-3 * radius, 0.067), 0.05), "domain.min=[-0.05, -0.05, -0.006]",
+                          BULK_DENSITY])
+            for name, (deck, radius, _, own) in cases.items()}
     summaries = Bench(options).run_all(runs)
     rows = []
-    for name, (deck, radius, diameter, bulk_density, _) in cases.items():
+    for name, (deck, radius, diameter, _) in cases.items():
         row = figures(summaries[name])
-        retained = 8.0 - row["discharged_g"]
+        retained, density = 8.0 - row["discharged_g"], summaries[name]["bulk_density_kg_m3"]
         rim = sand_layer.rim(sand_layer.retained(options.work / name)[0], radius, diameter)
         # Slope of a surface that rises from the orifice's edge to the wall: volume = 2 pi tan(a) int (r - 2.5) r dr
         ring = 2.0 * math.pi * ((radius**3 - 2.5**3) / 3.0 - 2.5 * (radius**2 - 2.5**2) / 2.0)  # mm3
-        rows.append({"deck": deck, "radius, mm": radius, "retained, g": retained, "rate, g/s": row["rate_g_s"],
-                     "slope, degrees": math.degrees(math.atan(1e3 * retained / bulk_density / ring)), "rim, mm": rim})
+        rows.append({"deck": deck, "radius, mm": radius, "bulk density, kg/m3": density, "retained, g": retained,
+                     "rate, g/s": row["rate_g_s"], "slope, degrees": math.degrees(math.atan(1e6 * retained / density / ring)),
+                     "rim, mm": rim})
     write(options, "funnel", summaries, rows)
 
 
@@ -78,13 +82,14 @@ def sizes(options):
     for name, (deck, sets) in decks.items():
         runs |= with_seeds(f"sizes_{name}", deck, sets, options.seeds)
     summaries = Bench(options).run_all(runs)
-    rows = [{"sizes": name, **means_of(summaries, f"sizes_{name}", options.seeds)} for name in decks]
-    write(options, "sizes", summaries, rows)
+    rows = [{"sizes": name, "grains": summaries[f"sizes_{name}_1"]["particles"]["inserted"],
+             **row_of(spreads(summaries, f"sizes_{name}", options.seeds, DISCHARGE))} for name in decks]
+    save_means(options, "sizes", summaries, rows)
 
 
 STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study,
            "contours": contours.study, "sensitivity": sensitivity.study, "orifice": orifice.study,
-           "clogging": clogging.study, "bulk_density": bulk_density.study}
+           "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study}
 
 
 def main():

@@ -27,6 +27,8 @@ SCENES = [
                             "phase.fill.time=60 ms", "phase.turn.time=60 ms")),
     ("inclined_plane.toml", ("phase.rest.max_time=30 ms", "phase.rest.min_time=1 ms", "phase.tilt.max_time=30 ms",
                              "measurement.tilt_onset.extrapolate=false")),
+    ("inclined_plane_sand.toml", ("phase.rest.max_time=30 ms", "phase.rest.min_time=1 ms", "phase.tilt.max_time=30 ms",
+                                  "measurement.tilt_onset.extrapolate=false")),
     ("pour_quick.toml", ("phase.pour.max_time=30 ms",)),
     ("lifted_cylinder.toml", ("particles.0.count=1000", "phase.settle.min_time=5 ms", "phase.settle.max_time=8 ms", "phase.lift.time=8 ms",
                               "phase.rest.min_time=0", "phase.rest.max_time=1 ms")),

@@ -1,6 +1,7 @@
 #include "campaign/validate.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,17 +31,18 @@ struct Display {
 
 Display display_of(const std::string& figure) {
   struct Unit {
-    const char* ending;
+    std::string_view ending;  ///< the longer before what it ends with
     const char* shown;
     double factor;
   };
-  constexpr Unit units[] = {{"_kg", ", g", 1e3}, {"_deg", ", degrees", 1.0}, {"_m", ", mm", 1e3}, {"_s", ", s", 1.0}};
+  constexpr Unit units[] = {{"_kg_m3", ", kg/m3", 1.0}, {"_kg_s", ", g/s", 1e3}, {"_kg", ", g", 1e3},
+                            {"_deg", ", degrees", 1.0}, {"_m", ", mm", 1e3},     {"_s", ", s", 1.0}};
   std::string name = figure;
   std::string shown;
   double factor = 1.0;
   for (const Unit& unit : units) {
     if (!name.ends_with(unit.ending)) continue;
-    name.erase(name.rfind('_'));
+    name.erase(name.size() - unit.ending.size());
     shown = unit.shown;
     factor = unit.factor;
     break;

@@ -63,6 +63,11 @@ class Validate(FolderTest):
         self.assertEqual((again.returncode, again.stdout), (0, done.stdout))
         self.assertEqual(os.stat(os.path.join(self.output, "one", "summary.json")).st_mtime_ns, written)
 
+    def test_figures_are_shown_in_units_of_the_laboratory(self):
+        done = self.validate(self.write({"name": "one", "figure": "discharge_rate_kg_s"}))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.splitlines()[3].split("|")[2].strip(), "discharge rate, g/s")
+
     def test_one_case_of_several(self):
         path = self.write({"name": "one"}, {"name": "two"}, {"name": "three"})
         done = self.validate(path, "--case", "three", "--case", "one")

@@ -70,7 +70,7 @@ def study(options):
         path.write_text(deck_text(full, deck, sets, figures, options.seeds))
         calibration = repose.calibrate(path, options.work / f"contours_{name}", ranks=options.ranks, program=options.program)
         for figure in figures:
-            plots.contours(calibration, figure).savefig(options.results / f"contours_{name}_{figure}.png", dpi=150)
+            plots.contours(calibration, figure).savefig(options.work / f"contours_{name}_{figure}.png", dpi=150)
         own = [{"parameter": p["name"], "thesis": coefficient(deck, p["key"]), "found": calibration.values[p["name"]]}
                for p in full["parameter"]]
         save(options.results / f"contours_{name}.json", case=name, laboratory=found, estimate=calibration.estimate, rows=own)

@@ -27,7 +27,7 @@ def study(options):
     rows = [{"parameter": p["name"], "value": p[end], **row_of(found[p["name"]][end])}
             for p in asked["parameter"] for end in ("min", "max")]
     rows.append({"parameter": "calibrated", "value": "", **row_of(laboratory)})
-    draw(asked["parameter"], found, laboratory, options.results / "sensitivity.png")
+    draw(asked["parameter"], found, laboratory, options.work / "sensitivity.png")
     save(options.results / "sensitivity.json", seeds=options.seeds, effects=found, laboratory=laboratory,
          runs=identities(summaries), rows=rows)
     print_table(rows)
@@ -53,6 +53,7 @@ def draw(parameters, found, laboratory, path):
         axes.set_ylabel(name)
         if figure.endswith("count"):
             axes.set_yscale("log")
-    drawn.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=3, fontsize=8)
-    drawn.savefig(path, dpi=150)
+    drawn.get_layout_engine().set(rect=(0.0, 0.0, 1.0, 0.95))  # room for the legend
+    drawn.legend(*panels[0, 0].get_legend_handles_labels(), loc="upper center", ncol=3, fontsize=8)
+    drawn.savefig(path, dpi=110)
     pyplot.close(drawn)

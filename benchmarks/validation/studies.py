@@ -53,7 +53,7 @@ def funnel(options):
     # Deck, radius in mm, mean diameter in mm, overrides
     cases = {f"funnel_scatter_carbohsp_{radius:g}": ("scatter_carbohsp.toml", radius, 0.44, ["particles.0.spacing=600 um"])
              for radius in options.radii}
-    cases["funnel_scatter_sand_11"] = ("scatter_sand.toml", 11.0, 0.765, [])
+    cases["funnel_scatter_sand_11.44"] = ("scatter_sand.toml", 11.44, 0.765, [])
     runs = {name: (deck, [*own, *vessel("8 g", flat_floor(1e-3 * radius, 0.067), 0.05), "domain.min=[-0.05, -0.05, -0.006]",
                           BULK_DENSITY])
             for name, (deck, radius, _, own) in cases.items()}
@@ -103,7 +103,7 @@ def main():
     parser.add_argument("--cases", nargs="+", help="of full size, or of contours; default: all")
     parser.add_argument("--time-limit", help="of a case of full size: HH:MM:SS")
     parser.add_argument("--seeds", type=int, default=5)
-    parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.0, 12.0], help="of the funnel, mm")
+    parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.11, 12.0], help="of the funnel, mm")
     options = parser.parse_args()
     STUDIES[options.study](options)
 

@@ -67,6 +67,11 @@ def with_seeds(name, deck, sets, count):
     return {f"{name}_{seed}": (deck, [*sets, f"run.seed={seed}"]) for seed in range(1, count + 1)}
 
 
+def of_seeds(summaries, name, count):
+    """The summaries of the runs of `with_seeds`."""
+    return [summaries[f"{name}_{seed}"] for seed in range(1, count + 1)]
+
+
 def values_of(summaries, figure):
     """A figure of the runs that have it."""
     values = [repose.files.number_in(summary, figure) for summary in summaries]
@@ -75,7 +80,7 @@ def values_of(summaries, figure):
 
 def spread(summaries, name, count, figure):
     """Mean and standard error of a figure over the runs of `with_seeds` that have it, and how many have."""
-    values = values_of([summaries[f"{name}_{seed}"] for seed in range(1, count + 1)], figure)
+    values = values_of(of_seeds(summaries, name, count), figure)
     error = statistics.stdev(values) / len(values) ** 0.5 if len(values) > 1 else None
     return {"mean": statistics.mean(values) if values else None, "standard_error": error, "runs": len(values)}
 
@@ -98,7 +103,7 @@ def shown(value, factor):
 UNITS = {"discharged_mass_kg": ("discharged, g", 1e3), "angle_of_repose_deg": ("angle, degrees", 1.0),
          "scattering.area_1.count": ("area 1", 1.0), "scattering.area_3.count": ("area 3", 1.0),
          "discharge_time_s": ("discharge time, s", 1.0), "discharge_rate_kg_s": ("rate, g/s", 1e3)}
-SCATTERING = tuple(UNITS)[:4]
+SCATTERING = ("discharged_mass_kg", "angle_of_repose_deg", "scattering.area_1.count", "scattering.area_3.count")
 DISCHARGE = ("discharged_mass_kg", "angle_of_repose_deg", "discharge_time_s", "discharge_rate_kg_s")
 
 
@@ -112,10 +117,10 @@ def row_of(found):
     return {name: shown(found[figure], factor) for figure, (name, factor) in UNITS.items() if figure in found}
 
 
-def save_means(options, name, summaries, rows):
-    """The table of means over seeds and, for each run, what identifies it."""
+def save_means(options, name, summaries, rows, **content):
+    """The table of means over seeds, what else belongs to it and, for each run, what identifies it."""
     print_table(rows)
-    save(options.results / f"{name}.json", seeds=options.seeds, runs=identities(summaries), rows=rows)
+    save(options.results / f"{name}.json", seeds=options.seeds, **content, runs=identities(summaries), rows=rows)
 
 
 def write(options, name, summaries, table):

@@ -1,7 +1,7 @@
 """With which friction sand of many sizes plugs the hole of 5 mm: section 3.5 of the thesis."""
 
 import contours
-from bench import Bench, row_of, save_means, spreads, with_seeds
+from bench import Bench, of_seeds, row_of, save_means, spreads, with_seeds
 
 CORNERS = ((0.3, 0.4), (0.5, 0.4), (0.3, 0.6), (0.5, 0.6), (0.6, 0.6), (0.5, 0.7), (0.7, 0.7), (0.9, 0.9))  # sliding, rolling friction
 
@@ -15,7 +15,7 @@ def study(options):
     summaries = Bench(options).run_all(runs)
     rows = []
     for sliding, rolling in CORNERS:
-        own = [summaries[f"clogging_{sliding}_{rolling}_{seed}"] for seed in range(1, options.seeds + 1)]
+        own = of_seeds(summaries, f"clogging_{sliding}_{rolling}", options.seeds)
         rows.append({"sliding": sliding, "rolling": rolling, "plugged": f"{sum(s['plugged'] for s in own)} of {len(own)}",
                      **row_of(spreads(summaries, f"clogging_{sliding}_{rolling}", options.seeds, ("discharged_mass_kg",)))})
     save_means(options, "clogging", summaries, rows)

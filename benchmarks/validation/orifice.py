@@ -1,6 +1,6 @@
 """What a hole that has grown with temperature does to the test: section 4.2 of the thesis."""
 
-from bench import SCATTERING, Bench, flat_floor, identities, print_table, row_of, save, spreads, vessel_wall, with_seeds
+from bench import SCATTERING, Bench, flat_floor, row_of, save_means, spreads, vessel_wall, with_seeds
 
 STEEL = 17e-6  # 1/K: linear expansion of an austenitic steel; the thesis names none
 DIAMETERS = (5.0, 5.05, 5.2, 5.5)  # mm: cold, at 600 degrees, and larger still so that the trend stands out of the scatter
@@ -18,5 +18,4 @@ def study(options):
     found = {f"{d:g}": spreads(summaries, f"orifice_{d:g}", options.seeds, figures) for d in DIAMETERS}
     rows = [{"diameter, mm": d, "warmer by, K": (d / DIAMETERS[0] - 1.0) / STEEL, **row_of(found[f"{d:g}"])}
             for d in DIAMETERS]
-    save(options.results / "orifice.json", seeds=options.seeds, expansion_1_K=STEEL, found=found, runs=identities(summaries), rows=rows)
-    print_table(rows)
+    save_means(options, "orifice", summaries, rows, expansion_1_K=STEEL, found=found)

@@ -4,7 +4,7 @@ import tomllib
 
 import matplotlib
 
-from bench import ROOT, SCATTERING, UNITS, Bench, identities, print_table, row_of, save, spreads, with_seeds
+from bench import ROOT, SCATTERING, UNITS, Bench, row_of, save_means, spreads, with_seeds
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -28,9 +28,7 @@ def study(options):
             for p in asked["parameter"] for end in ("min", "max")]
     rows.append({"parameter": "calibrated", "value": "", **row_of(laboratory)})
     draw(asked["parameter"], found, laboratory, options.work / "sensitivity.png")
-    save(options.results / "sensitivity.json", seeds=options.seeds, effects=found, laboratory=laboratory,
-         runs=identities(summaries), rows=rows)
-    print_table(rows)
+    save_means(options, "sensitivity", summaries, rows, effects=found, laboratory=laboratory)
 
 
 def draw(parameters, found, laboratory, path):

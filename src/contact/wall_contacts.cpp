@@ -153,6 +153,51 @@ void WallContacts::add_lane(FaceGroup& group, std::int32_t particle, const Conta
   set_history(group.blocks.back(), lane, history);
 }
 
+void WallContacts::search(std::span<const std::int32_t> moved) {
+  const auto before = [](const auto& entry, std::int32_t particle) { return entry.particle < particle; };
+  for (const std::int32_t particle : moved) {
+    const auto all = std::lower_bound(candidates_.begin(), candidates_.end(), particle, before);
+    if (all == candidates_.end() || all->particle != particle) continue;
+    const auto near = std::lower_bound(near_.begin(), near_.end(), particle, before);
+    const bool is_searched = near != near_.end() && near->particle == particle;
+    if (is_searched && near->walls == all->walls) continue;
+    const Candidate searched = {particle, static_cast<std::int32_t>(near_walls_.size()), all->walls};
+    for (std::int32_t k = 0; k < all->walls; ++k) {
+      near_walls_.push_back(candidate_walls_[static_cast<std::size_t>(all->first_wall + k)]);
+    }
+    if (is_searched) {
+      *near = searched;
+      continue;
+    }
+    near_.insert(near, searched);
+    const WallMemory memory = take_lane_of(particle);
+    if (is_blank(memory.history)) continue;
+    contacts_.insert(std::lower_bound(contacts_.begin(), contacts_.end(), particle, before),
+                     {particle, memory.wall, memory.feature, {}, 0.0, 0.0, memory.history});
+  }
+}
+
+/// Takes a particle out of the lanes of faces, if it is there, with what it remembers. The last lane takes its place.
+WallMemory WallContacts::take_lane_of(std::int32_t particle) {
+  for (FaceGroup& group : faces_) {
+    for (std::size_t lane = 0; lane < group.lanes; ++lane) {
+      ContactBlock& block = group.blocks[lane / block_lanes];
+      const std::size_t slot = lane % block_lanes;
+      if (block.first[slot] != particle) continue;
+      const WallMemory memory = {group.wall, group.feature, history(block, slot)};
+      ContactBlock& last = group.blocks.back();
+      const std::size_t last_slot = --group.lanes % block_lanes;
+      block.first[slot] = last.first[last_slot];
+      set_history(block, slot, history(last, last_slot));
+      last.first[last_slot] = last.first[0];
+      set_history(last, last_slot, {});
+      if (last_slot == 0) group.blocks.pop_back();
+      return memory;
+    }
+  }
+  return {};
+}
+
 /// The contact whose history a touch takes over: that of the same feature before, or of a touch that this one now
 /// stands for, or of a neighbouring feature of the wall that is touched no more. Null: it is new. A contact without
 /// history counts for nothing, as it may have been dropped when lists were rebuilt.

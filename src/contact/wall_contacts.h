@@ -51,6 +51,9 @@ class WallContacts {
   /// touch one face and nothing else go into the lanes of that face, the others are searched at each step.
   void select_near(const Particles& particles, std::span<const Wall> walls, const SkinRule& rule);
 
+  /// Searches the particles `moved` at each step, wherever they go, until select_near is called again.
+  void search(std::span<const std::int32_t> moved);
+
   /// Evaluates the contact law with every present wall and adds force and torque to the particles' sums. Histories
   /// advance by `dt` s. A history follows its contact from one feature of a wall to the next, and across flush seams of
   /// two walls.
@@ -85,6 +88,7 @@ class WallContacts {
   void find_contacts(std::span<const Wall> walls, const Particles& particles, WallAlarms& alarms);
   FaceGroup& group_for(const Particles& particles, std::size_t particle, const Wall& wall, const WallTouch& touch);
   void add_lane(FaceGroup& group, std::int32_t particle, const ContactHistory& history);
+  WallMemory take_lane_of(std::int32_t particle);
   std::size_t bytes_of_faces() const;
   std::vector<WallContact> contacts_if(std::span<const Wall> walls, const Particles& particles,
                                        std::int32_t only) const;

@@ -61,11 +61,15 @@ void HeldParticles::hold(Particles& particles) const {
   }
 }
 
-bool HeldParticles::skin_used_up(std::span<const Mark> marks, const Particles& particles) const {
-  return std::any_of(held_.begin(), held_.end(), [&](const Held& held) {
+std::size_t HeldParticles::find_moved(std::span<const Mark> marks, const Particles& particles,
+                                      std::span<std::int32_t> moved) const {
+  std::size_t count = 0;
+  for (const Held& held : held_) {
     const Mark& mark = marks[held.index];
-    return squared_norm(particles.record[held.index].position - mark.position) >= mark.squared_skin;
-  });
+    const bool is_moved = squared_norm(particles.record[held.index].position - mark.position) >= mark.squared_skin;
+    if (is_moved) moved[count++] = static_cast<std::int32_t>(held.index);
+  }
+  return count;
 }
 
 }  // namespace repose

@@ -35,8 +35,9 @@ class HeldParticles {
   void place(double dt);
   /// Puts the listed particles to where they are now, with the velocity and spin of their motion.
   void hold(Particles& particles) const;
-  /// Whether one of them has used up its skin, where hold has put it.
-  bool skin_used_up(std::span<const Mark> marks, const Particles& particles) const;
+  /// Those of them that have used up their skins, where hold has put them, into `moved`. How many they are.
+  std::size_t find_moved(std::span<const Mark> marks, const Particles& particles, std::span<std::int32_t> moved) const;
+  std::size_t listed() const { return held_.size(); }
 
  private:
   /// A block of the deck with particles first to end - 1.

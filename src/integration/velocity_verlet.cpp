@@ -61,7 +61,8 @@ template <int kicks, int lanes>
 /// In periodic directions the ways are rounded to the grid of the positions.
 template <int kicks, int lanes, bool periodic>
 [[gnu::always_inline]] inline StepNotes kick_and_drift(const Vec3& gravity_in, double dt, const DomainDeck& domain,
-                                                       std::span<const Mark> marks, Particles& particles) {
+                                                       std::span<const Mark> marks, std::span<std::int32_t> moved,
+                                                       Particles& particles) {
   constexpr double no_bound = std::numeric_limits<double>::infinity();
   const Quad gravity = {gravity_in.x, gravity_in.y, gravity_in.z, 0.0};
   const Quad drift = {dt, dt, dt, 0.0};
@@ -90,7 +91,8 @@ template <int kicks, int lanes, bool periodic>
     beyond |= (position < low) | (position >= high);
     const Quad way = position - mark[i];
     const Quad squares = way * way;
-    notes.skin_used_up |= squares[0] + squares[1] + squares[2] >= mark[i][3];
+    moved[notes.moved] = static_cast<std::int32_t>(i);  // overwritten by the next one, unless it counts
+    notes.moved += squares[0] + squares[1] + squares[2] >= mark[i][3] ? 1U : 0U;
     const Quad lengths = magnitude(step);
     longest = longest > lengths ? longest : lengths;
     nowhere |= position != position;
@@ -122,27 +124,27 @@ double scale_for(double value) {
 
 template <int kicks>
 StepNotes kick_and_drift_at(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
-                            std::span<const Mark> marks, Particles& particles) {
+                            std::span<const Mark> marks, std::span<std::int32_t> moved, Particles& particles) {
   if (particles.periodic.any()) {
     return at_level(level, [&](auto lanes) REPOSE_INLINE {
-      return kick_and_drift<kicks, lanes, true>(gravity, dt, domain, marks, particles);
+      return kick_and_drift<kicks, lanes, true>(gravity, dt, domain, marks, moved, particles);
     });
   }
   return at_level(level, [&](auto lanes) REPOSE_INLINE {
-    return kick_and_drift<kicks, lanes, false>(gravity, dt, domain, marks, particles);
+    return kick_and_drift<kicks, lanes, false>(gravity, dt, domain, marks, moved, particles);
   });
 }
 
 }  // namespace
 
 StepNotes step_first_half(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
-                          std::span<const Mark> marks, Particles& particles) {
-  return kick_and_drift_at<1>(level, gravity, dt, domain, marks, particles);
+                          std::span<const Mark> marks, std::span<std::int32_t> moved, Particles& particles) {
+  return kick_and_drift_at<1>(level, gravity, dt, domain, marks, moved, particles);
 }
 
 StepNotes step_second_and_first_half(VectorLevel level, const Vec3& gravity, double dt, const DomainDeck& domain,
-                                     std::span<const Mark> marks, Particles& particles) {
-  return kick_and_drift_at<2>(level, gravity, dt, domain, marks, particles);
+                                     std::span<const Mark> marks, std::span<std::int32_t> moved, Particles& particles) {
+  return kick_and_drift_at<2>(level, gravity, dt, domain, marks, moved, particles);
 }
 
 void step_second_half(VectorLevel level, const Vec3& gravity, double dt, Particles& particles) {

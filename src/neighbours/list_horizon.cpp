@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "neighbours/inner_horizon.h"
-
 namespace repose {
 namespace {
 
@@ -11,7 +9,7 @@ namespace {
 constexpr double per_particle = 500.0;  // of a rebuild, more than of an inner list alone
 constexpr double per_pair = 20.0;       // of a rebuild
 constexpr double per_selection = 20.0;  // of a listed pair, each time an inner list is chosen
-constexpr auto steps_between_selections = static_cast<double>(InnerHorizon::longest);
+constexpr auto steps_between_selections = static_cast<double>(ListHorizon::inner);
 constexpr double worthwhile = 0.7;  // of the cost: less is gained by a shorter horizon than the estimate is good for
 
 double cost_per_step(double particles, double pairs, std::int64_t steps) {

@@ -13,6 +13,7 @@ namespace repose {
 class ListHorizon {
  public:
   static constexpr std::array<std::int64_t, 3> choices = {320, 160, 80};  ///< steps
+  static constexpr std::int64_t inner = 32;                               ///< steps that inner skins are to cover
 
   /// What a rank knows, in integers, so that all ranks get the same sums: particles, pairs in the outer lists until
   /// now, and for each choice the sum of its reaches, cubed, in radii.

@@ -27,6 +27,22 @@ void fill_tail(BigVector<ContactBlock>& blocks, std::size_t lanes, std::size_t d
   }
 }
 
+bool are_near(const PairGroup::Pair& pair, std::span<const ReachSphere> spheres) {
+  const ReachSphere& a = spheres[index(pair.first)];
+  const ReachSphere& b = spheres[index(pair.second)];
+  const double limit = a.reach + b.reach;
+  return squared_norm(a.position - b.position) < limit * limit;
+}
+
+Csr<std::int32_t> pairs_by_particle(std::span<const PairGroup::Pair> pairs, std::size_t particles) {
+  return Csr<std::int32_t>::group(particles, [&](const auto& add) {
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      add(index(pairs[p].first), static_cast<std::int32_t>(p));
+      add(index(pairs[p].second), static_cast<std::int32_t>(p));
+    }
+  });
+}
+
 /// The history that particle `owner` remembers of `partner`, blank when there is none.
 ContactHistory remembered(const Csr<PairMemory>& memory, std::size_t owner, std::int64_t partner) {
   for (const PairMemory& m : memory.row(owner)) {
@@ -53,8 +69,13 @@ PairGroup& PairLists::group_for(const Particles& particles, std::size_t first, s
   for (PairGroup& g : groups_) {
     if (g.material_first == a && g.material_second == b && g.interior == interior) return g;
   }
-  return groups_.emplace_back(
-      PairGroup{.material_first = a, .material_second = b, .interior = interior, .pairs = {}, .blocks = {}});
+  return groups_.emplace_back(PairGroup{.material_first = a,
+                                        .material_second = b,
+                                        .interior = interior,
+                                        .pairs = {},
+                                        .blocks = {},
+                                        .late = {},
+                                        .pairs_of = {}});
 }
 
 void PairLists::clear() {
@@ -62,6 +83,8 @@ void PairLists::clear() {
     group.pairs.clear();
     group.blocks.clear();
     group.lanes = 0;
+    group.late.clear();
+    group.pairs_of = {};
   }
 }
 
@@ -85,36 +108,55 @@ void PairLists::build(const Particles& particles, std::span<const IndexPair> pai
   std::erase_if(groups_, [](const PairGroup& group) { return group.pairs.empty(); });
 }
 
-void PairLists::select_near(const Particles& particles, const SkinRule& rule) {
-  spheres_.resize(particles.total());
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    spheres_[i] = {particles.record[i].position, reach_of(particles.record[i], rule)};
-  }
+void PairLists::select_near(std::span<const ReachSphere> spheres) {
   for (PairGroup& group : groups_) {
-    find_near(group);
-    renew_lanes(group, particles.total());
+    find_near(group, spheres);
+    renew_lanes(group, spheres.size());
   }
 }
 
-/// The pairs of a group that are closer than the sum of their reaches, by a loop without branches: which they are is
-/// hard to foresee.
-void PairLists::find_near(const PairGroup& group) {
+/// The pairs of a group whose spheres overlap, by a loop without branches: which they are is hard to foresee.
+void PairLists::find_near(const PairGroup& group, std::span<const ReachSphere> spheres) {
   near_.resize(group.pairs.size() + 1);
   std::size_t count = 0;
   for (std::size_t p = 0; p < group.pairs.size(); ++p) {
-    const ReachSphere& a = spheres_[index(group.pairs[p].first)];
-    const ReachSphere& b = spheres_[index(group.pairs[p].second)];
-    const double limit = a.reach + b.reach;
     near_[count] = static_cast<std::int32_t>(p);
-    count += squared_norm(a.position - b.position) < limit * limit ? 1U : 0U;
+    count += are_near(group.pairs[p], spheres) ? 1U : 0U;
   }
   near_.resize(count);
 }
 
+void PairLists::add_near(std::span<const ReachSphere> spheres, std::span<const std::int32_t> moved) {
+  if (moved.empty()) return;
+  for (PairGroup& group : groups_) {
+    if (group.pairs_of.rows() == 0) group.pairs_of = pairs_by_particle(group.pairs, spheres.size());
+    for (const std::int32_t i : moved) {
+      for (const std::int32_t p : group.pairs_of.row(index(i))) {
+        PairGroup::Pair& pair = group.pairs[index(p)];
+        if (pair.lane >= 0 || !are_near(pair, spheres)) continue;
+        pair.lane = static_cast<std::int32_t>(group.lanes++);
+        if (blocks_for(group.lanes) > group.blocks.size()) {
+          group.blocks.emplace_back();
+          fill_tail(group.blocks, group.lanes, spheres.size());
+        }
+        set_lane(group.blocks, index(pair.lane), pair.first, pair.second, {});
+        group.late.push_back(p);
+      }
+    }
+  }
+}
+
 /// Gives the near pairs of a group the first lanes, in their order, with their histories. In place: as the old lanes
-/// follow the same order, no lane is overwritten whose history is still needed, when those that move down do so from
-/// the first on and then those that move up or are new from the last on.
+/// follow the same order, but for the late ones, which are taken out first, no lane is overwritten whose history is
+/// still needed, when those that move down do so from the first on and then those that move up or are new from the last
+/// on.
 void PairLists::renew_lanes(PairGroup& group, std::size_t dummy) {
+  std::vector<ContactHistory> of_late;
+  of_late.reserve(group.late.size());
+  for (const std::int32_t p : group.late) {
+    of_late.push_back(history_of(group, group.pairs[index(p)]));
+    group.pairs[index(p)].lane = -1;
+  }
   const std::size_t blocks = blocks_for(near_.size());
   if (blocks > group.blocks.capacity()) group.blocks.reserve(blocks + blocks / 8);
   group.blocks.resize(std::max(blocks, group.blocks.size()));
@@ -136,6 +178,11 @@ void PairLists::renew_lanes(PairGroup& group, std::size_t dummy) {
   group.blocks.resize(blocks);
   group.lanes = near_.size();
   fill_tail(group.blocks, group.lanes, dummy);
+  for (std::size_t k = 0; k < of_late.size(); ++k) {
+    const std::int32_t lane = group.pairs[index(group.late[k])].lane;
+    if (lane >= 0) set_history(group.blocks[index(lane) / block_lanes], index(lane) % block_lanes, of_late[k]);
+  }
+  group.late.clear();
 }
 
 Csr<PairMemory> PairLists::memory(const Particles& particles) const {
@@ -173,8 +220,11 @@ std::size_t PairLists::listed() const {
 
 std::size_t PairLists::bytes() const {
   std::size_t count = 0;
-  for (const PairGroup& g : groups_) count += bytes_of(g.pairs) + bytes_of(g.blocks);
-  return count + bytes_of(spheres_) + bytes_of(near_);
+  for (const PairGroup& g : groups_) {
+    count += bytes_of(g.pairs) + bytes_of(g.blocks) + bytes_of(g.late) + bytes_of(g.pairs_of.offset) +
+             bytes_of(g.pairs_of.items);
+  }
+  return count + bytes_of(near_);
 }
 
 std::size_t PairLists::lanes() const {

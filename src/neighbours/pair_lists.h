@@ -26,6 +26,8 @@ struct PairGroup {
   BigVector<Pair> pairs;           ///< outer list: everything within the outer reaches
   BigVector<ContactBlock> blocks;  ///< inner list: what the pair loop evaluates
   std::size_t lanes = 0;           ///< used lanes of `blocks`
+  std::vector<std::int32_t> late;  ///< pairs in the last lanes, added since the inner list was chosen
+  Csr<std::int32_t> pairs_of;      ///< of each particle, in `pairs`; without rows until it is needed
 };
 
 /// The outer and inner neighbour lists of one rank, with the histories of its pair contacts.
@@ -35,9 +37,11 @@ class PairLists {
   /// that have one afterwards.
   void build(const Particles& particles, std::span<const IndexPair> pairs, const Csr<PairMemory>& memory);
 
-  /// Refills the inner lists with the listed pairs that are closer than the sum of their reaches by `rule`; histories
-  /// stay.
-  void select_near(const Particles& particles, const SkinRule& rule);
+  /// Refills the inner lists with the listed pairs whose spheres, one of each particle, overlap; histories stay.
+  void select_near(std::span<const ReachSphere> spheres);
+
+  /// Adds to the inner lists the listed pairs of the particles `moved` whose spheres overlap by now; none is dropped.
+  void add_near(std::span<const ReachSphere> spheres, std::span<const std::int32_t> moved);
 
   /// Forgets all pairs and histories. Their memory is kept for the next ones: where a system has to find and clear huge
   /// pages, new ones take longer than what is written there.
@@ -57,19 +61,12 @@ class PairLists {
   std::size_t bytes() const;
 
  private:
-  struct alignas(32) ReachSphere {
-    Vec3 position;
-    double reach;  ///< m
-  };
-
-  void find_near(const PairGroup& group);
+  void find_near(const PairGroup& group, std::span<const ReachSphere> spheres);
   void renew_lanes(PairGroup& group, std::size_t dummy);
   PairGroup& group_for(const Particles& particles, std::size_t first, std::size_t second, bool interior);
 
   std::vector<PairGroup> groups_;
-  // While select_near runs:
-  BigVector<ReachSphere> spheres_;  ///< of every particle
-  std::vector<std::int32_t> near_;  ///< pairs of one group that it selects
+  std::vector<std::int32_t> near_;  ///< pairs of one group, while select_near runs
 };
 
 /// Puts two dummy particles behind the last ghost, far from everything and from one another, and makes room for as many

@@ -44,7 +44,7 @@ struct CheckpointCost {
 struct LoopCost {
   std::vector<StageSummary> stages;
   std::int64_t list_rebuilds = 0;
-  std::int64_t inner_selections = 0;          ///< new inner lists between two rebuilds
+  std::int64_t inner_selections = 0;          ///< new inner lists between two rebuilds, of the rank with most
   double listed_pairs_per_particle = 0.0;     ///< in the outer lists at the end, each pair once per rank that holds it
   double evaluated_pairs_per_particle = 0.0;  ///< the same of the inner lists
   std::int64_t ghosts = 0;                    ///< of all ranks at the end

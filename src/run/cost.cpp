@@ -53,7 +53,7 @@ LoopCost loop_cost(const Simulation& simulation, double cpu_seconds) {
   }
 
   cost.list_rebuilds = simulation.counters().rebuilds;
-  cost.inner_selections = simulation.counters().inner_selections;
+  cost.inner_selections = comm.max(simulation.counters().inner_selections);
   const auto inserted = static_cast<double>(simulation.inserted());
   const auto per_particle = [&](std::size_t count) {
     return static_cast<double>(comm.sum(static_cast<std::int64_t>(count))) / inserted;

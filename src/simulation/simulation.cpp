@@ -18,8 +18,12 @@
 namespace repose {
 namespace {
 
-constexpr std::int64_t inner_horizon_steps = InnerHorizon::longest;         // the most that the inner skin covers
+constexpr std::int64_t inner_horizon_steps = ListHorizon::inner;            // that the inner skin covers
 constexpr std::int64_t outer_horizon_steps = ListHorizon::choices.front();  // the most that the outer skin covers
+
+/// Inner lists are chosen anew for all particles once so many have begun new skins alone: by then the lists have pairs
+/// that are no longer near, out of order.
+std::size_t most_renewed(std::size_t owned) { return 16 + owned / 32; }
 
 void append_particle(const NewParticles& from, std::size_t i, Particles& to) {
   to.record.push_back(
@@ -136,17 +140,25 @@ void Simulation::move(std::int64_t k, double dt) {
   clock_.begin_step();
   clock_.enter(Stage::integration);
   const auto halves = k == 0 ? step_first_half : step_second_and_first_half;
-  const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), particles_);
+  const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), moved_, particles_);
   const bool may_be_unfit = notes.nowhere || notes.longest_step >= safe_step_;
   if (may_be_unfit && !alarm_) alarm_ = find_unfit(guard_view(steps_ + 1));
   scene_.step(dt, particles_);
   if (notes.outside > parked_ && !alarm_) count_leavers();
-  const bool skin_used_up = notes.skin_used_up || scene_.held().skin_used_up(watch_.inner_marks(), particles_);
-  const ListState state = agreed_list_state(skin_used_up);
+  const std::span<const std::int32_t> moved = find_moved(notes.moved);
+  const bool outer_used_up = agree_on_rebuild(moved);
   const bool enter = steps_ + 1 == pouring_.next_step() && pour();
   const bool grows = growth_.enabled && (steps_ + 1) % growth_.every == 0;
   if (grows) grow();
-  renew_lists(enter || grows ? ListState::outer_stale : state);
+  if (enter || grows || outer_used_up) {
+    clock_.enter(Stage::lists);
+    rebuild_lists();
+  } else {
+    renew_inner_lists(moved);
+    clock_.enter(Stage::ghosts);
+    ghosts_.start(particles_);
+    ghosts_on_their_way_ = true;
+  }
   evaluate_forces(dt);
   load_.count_step(pairs_.lanes(), particles_.ghosts());
   ++steps_;
@@ -216,34 +228,33 @@ bool Simulation::awaits_particles() const {
   return pouring_.is_under_way(steps_) || (inserted() == 0 && !pouring_.is_complete());
 }
 
-/// Lists that hold every contact of this step, and the ghosts on their way.
-void Simulation::renew_lists(ListState state) {
-  switch (state) {
-    case ListState::outer_stale:
-      clock_.enter(Stage::lists);
-      rebuild_lists();
-      break;
-    case ListState::inner_stale:
-      clock_.enter(Stage::ghosts);
-      ghosts_.start(particles_);
-      ghosts_.finish(particles_);
-      clock_.enter(Stage::lists);
-      select_near();
-      ++counters_.inner_selections;
-      break;
-    case ListState::valid:
-      clock_.enter(Stage::ghosts);
-      ghosts_.start(particles_);
-      ghosts_on_their_way_ = true;
-      break;
+/// Inner lists that hold every contact of this step, but for those of ghosts that are still on their way: theirs are
+/// renewed when they are here.
+void Simulation::renew_inner_lists(std::span<const std::int32_t> moved) {
+  clock_.enter(Stage::lists);
+  const bool too_old = scene_.walls_travel() && steps_ + 1 - inner_selected_at_ >= inner_horizon_steps;
+  if (too_old || renewed_skins_ + moved.size() > most_renewed(particles_.owned)) {
+    select_near();
+    ++counters_.inner_selections;
+    return;
   }
+  renew_skins(moved);
+  wall_contacts_.search(moved);
+}
+
+/// Lets the inner skins of these particles, owned or ghosts, begin anew, with the pairs that this brings near.
+void Simulation::renew_skins(std::span<const std::int32_t> moved) {
+  watch_.begin_inner(particles_, moved);
+  pairs_.add_near(watch_.inner_spheres(), moved);
+  renewed_skins_ += moved.size();
 }
 
 void Simulation::select_near() {
-  pairs_.select_near(particles_, watch_.inner());
+  watch_.begin_inner(particles_);
+  pairs_.select_near(watch_.inner_spheres());
   wall_contacts_.select_near(particles_, walls(), watch_.inner());
-  watch_.inner_selected(particles_);
   inner_selected_at_ = steps_;
+  renewed_skins_ = 0;
 }
 
 void Simulation::count_leavers() {
@@ -254,23 +265,27 @@ void Simulation::count_leavers() {
   for (std::size_t i = 0; i < particles_.owned; ++i) parked_ += is_parked(particles_.record[i]) ? 1U : 0U;
 }
 
-/// What the lists need, agreed among the ranks together with whether any raised an alarm. A second reduction only when
-/// an inner list has to be made anew.
-Simulation::ListState Simulation::agreed_list_state(bool inner_used_up) {
-  constexpr int moved = 1;
+/// The particles whose inner skins are used up: the first `moved` of moved_, and held ones. Parked ones do not count.
+std::span<const std::int32_t> Simulation::find_moved(std::size_t moved) {
+  moved += scene_.held().find_moved(watch_.inner_marks(), particles_, std::span(moved_).subspan(moved));
+  const auto end = moved_.begin() + static_cast<std::ptrdiff_t>(moved);
+  const auto kept = std::remove_if(
+      moved_.begin(), end, [&](std::int32_t i) { return is_parked(particles_.record[static_cast<std::size_t>(i)]); });
+  return {moved_.begin(), kept};
+}
+
+/// Whether a particle of any rank has nothing left of its outer skin, or walls of theirs; agreed together with whether
+/// any rank raised an alarm.
+bool Simulation::agree_on_rebuild(std::span<const std::int32_t> moved) {
+  constexpr int used_up = 1;
   constexpr int alarmed = 2;
-  const bool inner_too_old = scene_.walls_travel() && steps_ + 1 - inner_selected_at_ >= inner_horizon_steps;
-  const bool outer_too_old =
+  const bool too_old =
       scene_.walls_travel() && steps_ + 1 - outer_listed_at_ > outer_horizon_steps - inner_horizon_steps;
-  const int here = alarm_ ? alarmed : inner_used_up || inner_too_old ? moved : 0;
+  const int here = alarm_ ? alarmed : too_old || watch_.outer_is_used_up(particles_, moved) ? used_up : 0;
   clock_.enter(Stage::agreement);
   const int worst = comm_.size() == 1 ? here : comm_.max(here);
   if (worst == alarmed) check_guards();
-  if (worst == 0) return ListState::valid;
-  const int short_here = outer_too_old || watch_.outer_is_too_short(particles_) ? 1 : 0;
-  if (comm_.max(short_here) == 0) return ListState::inner_stale;
-  inner_horizon_.outer_lasted(steps_ + 1 - outer_listed_at_);
-  return ListState::outer_stale;
+  return worst != 0;
 }
 
 void Simulation::rebuild_lists() { rebuild_lists(contact_memory()); }
@@ -299,8 +314,9 @@ void Simulation::rebuild_lists(ContactMemory memory) {
   near = {};
   wall_contacts_.build(particles_, walls(), reach, memory.walls);
   memory = {};
-  watch_.outer_listed(particles_);
+  watch_.begin_outer(particles_);
   outer_listed_at_ = steps_;
+  moved_.resize(particles_.owned + scene_.held().listed());
   select_near();
   parked_ = 0;
   ++counters_.rebuilds;
@@ -345,8 +361,7 @@ void Simulation::choose_horizons(std::size_t listed) {
   ListHorizon::Counts counts = ListHorizon::count(particles_, watch_.outer().share, time_step_.step, listed);
   comm_.sum_elements(std::span(counts.begin(), counts.end()));
   list_horizon_.choose(counts);
-  watch_.set_horizons(static_cast<double>(inner_horizon_.steps()) * time_step_.step,
-                      static_cast<double>(list_horizon_.steps()) * time_step_.step);
+  watch_.set_outer_horizon(static_cast<double>(list_horizon_.steps()) * time_step_.step);
 }
 
 /// The criteria of the time step with the true greatest speed, with one warning in all.
@@ -376,7 +391,11 @@ void Simulation::evaluate_forces(double dt) {
   clock_.enter(Stage::wall_contacts);
   alarm |= wall_contacts_.evaluate(level_, walls(), materials_, dt, max_overlap, particles_).any();
   clock_.enter(Stage::ghosts);
-  if (ghosts_on_their_way_) ghosts_.finish(particles_);
+  if (ghosts_on_their_way_) {
+    ghosts_.finish(particles_);
+    clock_.enter(Stage::lists);
+    renew_skins(watch_.moved_ghosts(particles_));
+  }
   ghosts_on_their_way_ = false;
   clock_.enter(Stage::pair_contacts);
   evaluate(false);

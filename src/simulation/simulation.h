@@ -13,7 +13,6 @@
 #include "domain/ghost_exchange.h"
 #include "heat/heat_transfer.h"
 #include "integration/time_step.h"
-#include "neighbours/inner_horizon.h"
 #include "neighbours/list_horizon.h"
 #include "neighbours/pair_lists.h"
 #include "neighbours/skin_watch.h"
@@ -33,7 +32,7 @@ namespace repose {
 /// How the lists and the decomposition have fared, on this rank unless stated otherwise.
 struct RunCounters {
   std::int64_t rebuilds = 0;          ///< of the outer lists
-  std::int64_t inner_selections = 0;  ///< of the inner lists alone
+  std::int64_t inner_selections = 0;  ///< of the inner lists alone, for all particles of this rank
   std::int64_t bisections = 0;        ///< new decompositions
   double imbalance = 1.0;             ///< cost of the busiest rank over the mean, at the last rebuild
   std::int64_t peak_ghosts = 0;       ///< most ghosts at a time
@@ -123,9 +122,6 @@ class Simulation {
   std::optional<std::string> take_warning();
 
  private:
-  /// What the neighbour lists need after the particles have moved.
-  enum class ListState { valid, inner_stale, outer_stale };
-
   void insert(const NewParticles& all);
   bool pour();
   void grow();
@@ -138,8 +134,10 @@ class Simulation {
   GuardView guard_view(std::int64_t step) const;
   void count_leavers();
   void ignore_held(std::vector<IndexPair>& near, std::vector<double>& reach) const;
-  ListState agreed_list_state(bool inner_used_up);
-  void renew_lists(ListState state);
+  std::span<const std::int32_t> find_moved(std::size_t moved);
+  bool agree_on_rebuild(std::span<const std::int32_t> moved);
+  void renew_inner_lists(std::span<const std::int32_t> moved);
+  void renew_skins(std::span<const std::int32_t> moved);
   void select_near();
   void move(std::int64_t k, double dt);
   std::int64_t stand_still(std::int64_t most);
@@ -170,8 +168,9 @@ class Simulation {
   bool ghosts_on_their_way_ = false;
   std::int64_t outer_listed_at_ = 0;  ///< step
   std::int64_t inner_selected_at_ = 0;
+  std::size_t renewed_skins_ = 0;  ///< inner ones since then
   SkinWatch watch_{{}, {}};
-  InnerHorizon inner_horizon_;
+  std::vector<std::int32_t> moved_;  ///< particles whose inner skins are used up, with room for all
   ListHorizon list_horizon_;
   PairLists pairs_;
   WallContacts wall_contacts_;

@@ -239,7 +239,15 @@ Walls meshes(const std::vector<MotionDeck>& motions = {}) {
   return walls;
 }
 
-/// A crowd that touches the faces and edges of two walls, moved about for some steps with its lists made anew at times.
+/// Every seventh grain, those near edges and those in lanes.
+std::vector<std::int32_t> some_grains(std::int32_t first, std::size_t count) {
+  std::vector<std::int32_t> some;
+  for (std::int32_t i = first; i < static_cast<std::int32_t>(count); i += 7) some.push_back(i);
+  return some;
+}
+
+/// A crowd that touches the faces and edges of two walls, moved about for some steps with its lists made anew at times;
+/// with lanes, some grains are taken out of them in between, some of these twice.
 Setting after_some_steps(bool lanes, VectorLevel level, const Deck& deck = bare_deck({}, dt),
                          const Walls& walls = funnel_and_plate()) {
   Setting s(lanes, deck);
@@ -252,6 +260,8 @@ Setting after_some_steps(bool lanes, VectorLevel level, const Deck& deck = bare_
   }
   for (int step = 0; step < 40; ++step) {
     if (step % 10 == 0) s.build(s.contacts.memory(s.particles.owned));
+    if (lanes && step % 10 > 7) s.contacts.search(some_grains(step % 2, s.particles.owned));
+    if (lanes && step % 10 == 9) s.contacts.search(some_grains(0, s.particles.owned));
     s.evaluate(level);
     for (ParticleRecord& p : s.particles.record) p.position += dt * p.velocity;
     for (Wall& wall : s.walls) {
@@ -288,6 +298,24 @@ void expect_the_bits_of_the_search(const Deck& deck, const Walls& walls = funnel
       EXPECT_EQ(a[k].overlap, b[k].overlap);
       EXPECT_EQ(std::memcmp(&a[k].history, &b[k].history, sizeof(ContactHistory)), 0);
     }
+  }
+}
+
+TEST(WallContactsInLanes, AreLeftByWhoIsSearched) {
+  Setting s(true);
+  s.add_wall({}, {0.0, 0.0, 1.0});
+  for (int k = 0; k < 37; ++k) s.add_grain({0.01 * k, 0.0, 0.99 * radius}, {0.002, 0.0, 0.0}, {});
+  s.build();
+  s.evaluate();
+  const std::vector<WallContact> before = s.touching();
+  s.contacts.search(std::vector<std::int32_t>{0, 20, 36});
+  EXPECT_EQ(s.contacts.in_lanes(), 34U);
+  s.contacts.search(std::vector<std::int32_t>{5, 20, 35});
+  EXPECT_EQ(s.contacts.in_lanes(), 32U);
+  const Csr<WallMemory> memory = s.contacts.memory(37);
+  for (std::size_t i = 0; i < 37; ++i) {
+    ASSERT_EQ(memory.row(i).size(), 1U) << i;
+    EXPECT_EQ(memory.row(i)[0].history.spring, before[i].history.spring) << i;
   }
 }
 

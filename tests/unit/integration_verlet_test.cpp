@@ -1,4 +1,5 @@
 // Velocity Verlet and the scales of the force sums against values worked out by hand.
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -32,6 +33,7 @@ Particles grain_and_ghost() {
 
 const DomainDeck domain = {{-100.0, -100.0, -100.0}, {100.0, 100.0, 100.0}};
 const std::vector<Mark> here = {{{1.0, 2.0, 3.0}, 1.0}};  // a skin of 1 m
+std::array<std::int32_t, 1> room;                         // for who has moved by it
 
 bool same_bits(const ParticleRecord& a, const ParticleRecord& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
@@ -56,7 +58,7 @@ TEST(VelocityVerlet, FirstHalfKicksDriftsAndClearsAllSums) {
     Particles kicked = grain_and_ghost();
     step_second_half(level, {0.0, 0.0, -8.0}, 0.5, kicked);
     Particles p = grain_and_ghost();
-    step_first_half(level, {0.0, 0.0, -8.0}, 0.5, domain, here, p);
+    step_first_half(level, {0.0, 0.0, -8.0}, 0.5, domain, here, room, p);
     EXPECT_EQ(p.record[0].velocity, kicked.record[0].velocity);
     EXPECT_EQ(p.record[0].spin, kicked.record[0].spin);
     EXPECT_EQ(p.record[0].position, (Vec3{1.0, 2.0, 3.0} + 0.5 * kicked.record[0].velocity));
@@ -83,8 +85,8 @@ TEST(VelocityVerlet, OnePassForTwoHalvesGivesTheSameBits) {
       two.torque_to_acceleration[0] = 1.3e-15;
       Particles one = two;
       step_second_half(VectorLevel::sse2, {0.1, 0.0, -9.81}, 3e-6, two);
-      step_first_half(VectorLevel::sse2, {0.1, 0.0, -9.81}, 3e-6, domain, here, two);
-      step_second_and_first_half(level, {0.1, 0.0, -9.81}, 3e-6, domain, here, one);
+      step_first_half(VectorLevel::sse2, {0.1, 0.0, -9.81}, 3e-6, domain, here, room, two);
+      step_second_and_first_half(level, {0.1, 0.0, -9.81}, 3e-6, domain, here, room, one);
       EXPECT_TRUE(same_bits(one.record[0], two.record[0])) << to_string(level);
     }
   }
@@ -95,15 +97,38 @@ TEST(VelocityVerlet, NotesWhoIsOutsideAndWhoHasMoved) {
   const auto notes = [&](double skin, const DomainDeck& within) {
     Particles copy = p;
     const std::vector<Mark> marks = {{{1.0, 2.0, 2.5}, skin * skin}};
-    return step_first_half(best_vector_level(), {}, 0.0, within, marks, copy);
+    return step_first_half(best_vector_level(), {}, 0.0, within, marks, room, copy);
   };
-  EXPECT_FALSE(notes(0.51, domain).skin_used_up);
-  EXPECT_TRUE(notes(0.5, domain).skin_used_up);
+  EXPECT_EQ(notes(0.51, domain).moved, 0U);
+  EXPECT_EQ(notes(0.5, domain).moved, 1U);
   EXPECT_EQ(notes(1.0, domain).outside, 0U);
   EXPECT_EQ(notes(1.0, {{1.0, 2.0, 3.0}, {2.0, 3.0, 4.0}}).outside, 0U);  // the lower faces belong to the domain
   EXPECT_EQ(notes(1.0, {{0.0, 0.0, 0.0}, {2.0, 3.0, 3.0}}).outside, 1U);  // the upper ones do not
   EXPECT_EQ(notes(1.0, {{1.1, 0.0, 0.0}, {2.0, 3.0, 4.0}}).outside, 1U);
   EXPECT_EQ(notes(1.0, {{0.0, 0.0, 0.0}, {2.0, 2.0, 4.0}}).outside, 1U);
+}
+
+TEST(VelocityVerlet, NamesWhoHasMoved) {
+  for (const VectorLevel level : levels_here()) {
+    Particles p;
+    std::vector<Mark> marks;
+    for (int i = 0; i < 7; ++i) {
+      ParticleRecord record = {};
+      record.position = {static_cast<double>(i), 0.0, 0.0};
+      record.radius = 0.5;
+      p.record.push_back(record);
+      marks.push_back({record.position + Vec3{0.0, i % 3 == 2 ? 0.2 : 0.1, 0.0}, 0.15 * 0.15});
+    }
+    p.owned = p.record.size();
+    p.id.resize(p.owned);
+    p.sum.assign(p.owned, ForceSum{});
+    p.force_to_acceleration.assign(p.owned, 1.0);
+    p.torque_to_acceleration.assign(p.owned, 1.0);
+    std::vector<std::int32_t> moved(p.owned);
+    const StepNotes notes = step_first_half(level, {}, 0.0, domain, marks, moved, p);
+    moved.resize(notes.moved);
+    EXPECT_EQ(moved, (std::vector<std::int32_t>{2, 5})) << to_string(level);
+  }
 }
 
 TEST(VelocityVerlet, NotesTheLongestStepAndWhatIsNowhere) {
@@ -112,7 +137,7 @@ TEST(VelocityVerlet, NotesTheLongestStepAndWhatIsNowhere) {
       Particles p = grain_and_ghost();
       p.record[0].velocity = velocity;
       p.sum[0] = {};
-      return step_first_half(level, {}, 0.5, domain, here, p);
+      return step_first_half(level, {}, 0.5, domain, here, room, p);
     };
     EXPECT_EQ(notes({0.5, 0.25, -0.25}).longest_step, 0.25) << to_string(level);
     EXPECT_EQ(notes({0.5, -0.75, -0.25}).longest_step, 0.375) << to_string(level);
@@ -128,7 +153,7 @@ TEST(VelocityVerlet, FreeFallIsExact) {
   p.sum[0] = {};
   const double dt = 0x1p-7;
   for (int step = 0; step < 128; ++step) {
-    step_first_half(best_vector_level(), {0.0, 0.0, -8.0}, dt, domain, here, p);
+    step_first_half(best_vector_level(), {0.0, 0.0, -8.0}, dt, domain, here, room, p);
     step_second_half(best_vector_level(), {0.0, 0.0, -8.0}, dt, p);
   }
   EXPECT_EQ(p.record[0].position, (Vec3{1.5, 2.0, 3.0 - 0.25 - 4.0}));

@@ -62,11 +62,11 @@ TEST(PairLists, InnerListHoldsEachNearPairOnce) {
     const Particles p = random_cloud(35, options);
     PairLists lists;
     lists.build(p, listed(p, outer), nothing(p.owned));
-    lists.select_near(p, inner);
+    lists.select_near(spheres(p, inner));
     EXPECT_EQ(inner_pairs(p, lists), brute_force(p, inner));
-    lists.select_near(p, outer);
+    lists.select_near(spheres(p, outer));
     EXPECT_EQ(inner_pairs(p, lists), brute_force(p, outer));
-    lists.select_near(p, inner);
+    lists.select_near(spheres(p, inner));
     EXPECT_EQ(inner_pairs(p, lists), brute_force(p, inner));
   }
 }
@@ -83,7 +83,7 @@ TEST(PairLists, GroupsShareMaterialsAndKeepTheGhostsApart) {
   const Particles p = random_cloud(36, clouds()[2]);
   PairLists lists;
   lists.build(p, listed(p, outer), nothing(p.owned));
-  lists.select_near(p, inner);
+  lists.select_near(spheres(p, inner));
   EXPECT_EQ(lists.groups().size(), 8U);  // two materials in either place, interior or not
   for (const PairGroup& group : lists.groups()) {
     for (const PairGroup::Pair& pair : group.pairs) {
@@ -101,7 +101,7 @@ TEST(PairLists, UnusedLanesNameTheDummies) {
   const Particles p = random_cloud(37, clouds()[1]);
   PairLists lists;
   lists.build(p, listed(p, outer), nothing(p.owned));
-  lists.select_near(p, inner);
+  lists.select_near(spheres(p, inner));
   for (const PairGroup& group : lists.groups()) {
     ASSERT_EQ(group.blocks.size(), blocks_for(group.lanes));
     for (std::size_t lane = group.lanes; lane < block_lanes * group.blocks.size(); ++lane) {
@@ -162,14 +162,14 @@ TEST(PairLists, HistoriesSurviveANewSelection) {
   const Particles p = random_cloud(41, clouds()[2]);
   PairLists lists;
   lists.build(p, listed(p, outer), nothing(p.owned));
-  lists.select_near(p, inner);
+  lists.select_near(spheres(p, inner));
   give_histories(p, lists);
   const std::size_t touching = lists.lanes();
   ASSERT_GT(touching, 200U);
-  lists.select_near(p, outer);  // many more pairs, which remember nothing
+  lists.select_near(spheres(p, outer));  // many more pairs, which remember nothing
   EXPECT_GT(lists.lanes(), touching);
   EXPECT_EQ(faithful_lanes(p, lists), touching);
-  lists.select_near(p, inner);
+  lists.select_near(spheres(p, inner));
   EXPECT_EQ(lists.lanes(), touching);
   EXPECT_EQ(faithful_lanes(p, lists), touching);
 }
@@ -185,7 +185,7 @@ TEST(PairLists, HistoriesFollowTheirPairsWhileOthersComeAndGo) {
     for (std::size_t i = 0; i < p.total(); ++i) {
       p.record[i].position = listed_at.record[i].position + draw.vector(0.1 * p.record[i].radius);
     }
-    lists.select_near(p, inner);
+    lists.select_near(spheres(p, inner));
     const PairCount now = inner_pairs(p, lists);
     EXPECT_EQ(now, brute_force(p, inner));
     std::size_t stayed = 0;
@@ -202,18 +202,57 @@ TEST(PairLists, HistoriesFollowTheirPairsWhileOthersComeAndGo) {
   }
 }
 
+// Pairs that come late keep their histories, too, when lanes are given anew, and are listed once.
+TEST(PairLists, LatePairsAreListedOnceAndRemember) {
+  Particles p = random_cloud(49, clouds()[1]);
+  PairLists lists;
+  lists.build(p, listed(p, outer), nothing(p.owned));
+  std::vector<ReachSphere> spheres_now = spheres(p, inner);
+  lists.select_near(spheres_now);
+  give_histories(p, lists);
+  Draw draw(50);
+  std::size_t late = 0;
+  for (int turn = 0; turn < 60; ++turn) {
+    const std::size_t before = lists.lanes();
+    std::vector<std::int32_t> moved;
+    for (int k = 0; k < 10; ++k) {
+      const std::size_t i = draw.below(p.total());  // ghosts as well
+      p.record[i].position += draw.vector(0.15 * p.record[i].radius);
+      moved.push_back(static_cast<std::int32_t>(i));
+    }
+    spheres_now = spheres(p, inner);
+    lists.add_near(spheres_now, moved);
+    late += lists.lanes() - before;
+    EXPECT_EQ(faithful_lanes(p, lists), before);
+    EXPECT_EQ(blank_lanes(p, lists), lists.lanes() - before);
+    give_histories(p, lists);
+    const PairCount now = inner_pairs(p, lists);
+    for (const auto& [pair, count] : now) EXPECT_EQ(count, 1);
+    const PairCount listed_ones = outer_pairs(p, lists);
+    for (const auto& [pair, count] : brute_force(p, inner)) {
+      EXPECT_TRUE(now.contains(pair) || !listed_ones.contains(pair)) << "turn " << turn;
+    }
+    if (turn % 10 == 9) {
+      lists.select_near(spheres_now);
+      EXPECT_EQ(faithful_lanes(p, lists), lists.lanes());
+      EXPECT_LT(lists.lanes(), now.size());
+    }
+  }
+  EXPECT_GT(late, 50U);
+}
+
 TEST(PairLists, NewListsTakeTheMemoryOfTheOldOnes) {
   const Particles p = random_cloud(48, clouds()[1]);
   PairLists lists;
   lists.build(p, listed(p, outer), nothing(p.owned));
-  lists.select_near(p, outer);
+  lists.select_near(spheres(p, outer));
   const ContactBlock* blocks = lists.groups().front().blocks.data();
   const PairGroup::Pair* pairs = lists.groups().front().pairs.data();
   lists.clear();
   EXPECT_EQ(lists.listed(), 0U);
   EXPECT_EQ(lists.lanes(), 0U);
   lists.build(p, listed(p, outer), nothing(p.owned));
-  lists.select_near(p, outer);
+  lists.select_near(spheres(p, outer));
   EXPECT_EQ(lists.groups().front().blocks.data(), blocks);
   EXPECT_EQ(lists.groups().front().pairs.data(), pairs);
 }
@@ -222,7 +261,7 @@ TEST(PairLists, HistoriesSurviveARebuildInAnotherOrder) {
   Particles p = random_cloud(42, clouds()[2]);
   PairLists lists;
   lists.build(p, listed(p, outer), nothing(p.owned));
-  lists.select_near(p, inner);
+  lists.select_near(spheres(p, inner));
   give_histories(p, lists);
   const std::size_t touching = lists.lanes();
 
@@ -241,7 +280,7 @@ TEST(PairLists, HistoriesSurviveARebuildInAnotherOrder) {
   again.build(shuffled, listed(shuffled, outer), memory);
   EXPECT_EQ(again.lanes(), touching);  // those that remember, before any selection
   EXPECT_EQ(faithful_lanes(shuffled, again), touching);
-  again.select_near(shuffled, inner);
+  again.select_near(spheres(shuffled, inner));
   EXPECT_EQ(inner_pairs(shuffled, again), brute_force(p, inner));
   EXPECT_EQ(faithful_lanes(shuffled, again), touching);
 }
@@ -250,7 +289,7 @@ TEST(PairLists, MemoryGoesToEveryOwnedPartner) {
   const Particles p = random_cloud(43, clouds()[1]);
   PairLists lists;
   lists.build(p, listed(p, outer), nothing(p.owned));
-  lists.select_near(p, inner);
+  lists.select_near(spheres(p, inner));
   give_histories(p, lists);
   const Csr<PairMemory> memory = lists.memory(p);
   ASSERT_EQ(memory.rows(), p.owned);
@@ -272,7 +311,7 @@ TEST(PairLists, BlankHistoriesAreNotRemembered) {
   const Particles p = random_cloud(44, clouds()[1]);
   PairLists lists;
   lists.build(p, listed(p, outer), nothing(p.owned));
-  lists.select_near(p, inner);
+  lists.select_near(spheres(p, inner));
   EXPECT_TRUE(lists.memory(p).items.empty());
 }
 
@@ -280,7 +319,7 @@ TEST(PairLists, CostCountsEachPairOnce) {
   const Particles p = random_cloud(45, clouds()[1]);
   PairLists lists;
   lists.build(p, listed(p, outer), nothing(p.owned));
-  lists.select_near(p, inner);
+  lists.select_near(spheres(p, inner));
   std::int64_t total = 0;
   for (const std::int64_t pairs : lists.pairs_of_owned(p)) total += pairs;
   EXPECT_EQ(total, static_cast<std::int64_t>(lists.lanes()));

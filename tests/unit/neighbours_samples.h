@@ -43,6 +43,12 @@ inline std::vector<double> reaches(const Particles& p, const SkinRule& rule) {
   return reach;
 }
 
+inline std::vector<ReachSphere> spheres(const Particles& p, const SkinRule& rule) {
+  std::vector<ReachSphere> spheres(p.total());
+  for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i] = {p.record[i].position, reach_of(p.record[i], rule)};
+  return spheres;
+}
+
 inline std::vector<IndexPair> listed(const Particles& p, const SkinRule& rule) {
   return near_pairs(std::span(p.record).first(p.total()), reaches(p, rule), p.owned);
 }

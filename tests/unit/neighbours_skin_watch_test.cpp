@@ -9,17 +9,24 @@
 namespace repose::test {
 namespace {
 
-enum class ListState { valid, inner_stale, outer_stale };
+enum class Skins { last, inner_used_up, outer_used_up };
 
-/// What a step on one rank makes of the two questions; no time passes.
-ListState state_of(const SkinWatch& watch, Particles particles) {
+/// The owned particles whose inner skins are used up; no time passes.
+std::vector<std::int32_t> moved_ones(const SkinWatch& watch, Particles particles) {
   particles.sum.assign(particles.total(), ForceSum{});
   particles.force_to_acceleration.assign(particles.owned, 1.0);
   particles.torque_to_acceleration.assign(particles.owned, 1.0);
   const DomainDeck everywhere = {{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};
-  if (!step_first_half(best_vector_level(), {}, 0.0, everywhere, watch.inner_marks(), particles).skin_used_up)
-    return ListState::valid;
-  return watch.outer_is_too_short(particles) ? ListState::outer_stale : ListState::inner_stale;
+  std::vector<std::int32_t> moved(particles.owned);
+  moved.resize(step_first_half(best_vector_level(), {}, 0.0, everywhere, watch.inner_marks(), moved, particles).moved);
+  return moved;
+}
+
+/// What a step on one rank makes of them.
+Skins state_of(const SkinWatch& watch, const Particles& particles) {
+  const std::vector<std::int32_t> moved = moved_ones(watch, particles);
+  if (moved.empty()) return Skins::last;
+  return watch.outer_is_used_up(particles, moved) ? Skins::outer_used_up : Skins::inner_used_up;
 }
 
 constexpr SkinRule outer = {0.3, 8e-5};
@@ -39,19 +46,19 @@ Particles one_grain() {
 
 SkinWatch watching(const Particles& p) {
   SkinWatch watch(inner, outer);
-  watch.outer_listed(p);
-  watch.inner_selected(p);
+  watch.begin_outer(p);
+  watch.begin_inner(p);
   return watch;
 }
 
 TEST(SkinWatch, ValidUntilTheInnerSkinIsUsed) {
   Particles p = one_grain();
   const SkinWatch watch = watching(p);
-  EXPECT_EQ(state_of(watch, p), ListState::valid);
+  EXPECT_EQ(state_of(watch, p), Skins::last);
   p.record[0].position = {0.0, 0.0199e-3, 0.0};
-  EXPECT_EQ(state_of(watch, p), ListState::valid);
+  EXPECT_EQ(state_of(watch, p), Skins::last);
   p.record[0].position = {0.0, 0.0201e-3, 0.0};
-  EXPECT_EQ(state_of(watch, p), ListState::inner_stale);
+  EXPECT_EQ(state_of(watch, p), Skins::inner_used_up);
 }
 
 TEST(SkinWatch, TheWayCountsInEveryDirection) {
@@ -62,25 +69,29 @@ TEST(SkinWatch, TheWayCountsInEveryDirection) {
     const Vec3 direction = draw.direction();
     Particles moved = p;
     moved.record[0].position = 0.0199e-3 * direction;
-    EXPECT_EQ(state_of(watch, moved), ListState::valid);
+    EXPECT_EQ(state_of(watch, moved), Skins::last);
     moved.record[0].position = 0.0201e-3 * direction;
-    EXPECT_EQ(state_of(watch, moved), ListState::inner_stale);
+    EXPECT_EQ(state_of(watch, moved), Skins::inner_used_up);
   }
 }
 
-TEST(SkinWatch, OuterSkinKeepsRoomForAnotherInnerOne) {
+// Of an outer skin of 0.3 mm, 14 x 0.021 mm leave 0.006 mm for the last inner one.
+TEST(SkinWatch, InnerSkinsKeepWithinTheOuterOne) {
   Particles p = one_grain();
   SkinWatch watch = watching(p);
-  for (int k = 1; k <= 13; ++k) {  // 13 x 0.021 = 0.273 mm of 0.3 - 0.02 mm
+  for (int k = 1; k <= 14; ++k) {
     p.record[0].position.x = 0.021e-3 * k;
-    ASSERT_EQ(state_of(watch, p), ListState::inner_stale) << k;
-    watch.inner_selected(p);
-    ASSERT_EQ(state_of(watch, p), ListState::valid);
+    ASSERT_EQ(state_of(watch, p), Skins::inner_used_up) << k;
+    watch.begin_inner(p, std::vector<std::int32_t>{0});
+    ASSERT_EQ(state_of(watch, p), Skins::last);
+    EXPECT_DOUBLE_EQ(watch.inner_spheres()[0].reach, 1e-3 + std::min(0.02e-3, 0.3e-3 - 0.021e-3 * k)) << k;
   }
-  p.record[0].position.x = 0.021e-3 * 14;
-  EXPECT_EQ(state_of(watch, p), ListState::outer_stale);
+  p.record[0].position.x = 0.2999e-3;
+  EXPECT_EQ(state_of(watch, p), Skins::last);
+  p.record[0].position.x = 0.3001e-3;
+  EXPECT_EQ(state_of(watch, p), Skins::outer_used_up);
   watch = watching(p);
-  EXPECT_EQ(state_of(watch, p), ListState::valid);
+  EXPECT_EQ(state_of(watch, p), Skins::last);
 }
 
 TEST(SkinWatch, SkinsAreThoseOfTheSpeedAtTheMarks) {
@@ -89,19 +100,33 @@ TEST(SkinWatch, SkinsAreThoseOfTheSpeedAtTheMarks) {
   const SkinWatch watch = watching(p);
   p.record[0].velocity = {};
   p.record[0].position.z = -0.0359e-3;
-  EXPECT_EQ(state_of(watch, p), ListState::valid);
+  EXPECT_EQ(state_of(watch, p), Skins::last);
   p.record[0].position.z = -0.0361e-3;
-  EXPECT_EQ(state_of(watch, p), ListState::inner_stale);
+  EXPECT_EQ(state_of(watch, p), Skins::inner_used_up);
 }
 
-TEST(SkinWatch, AGrainTooFastForItsOuterSkinAsksForNewLists) {
-  Particles p = one_grain();
-  const SkinWatch watch = watching(p);
-  p.record[0].velocity = {40.0, 0.0, 0.0};  // another inner skin would be 0.34 mm
-  p.record[0].position.x = 0.01e-3;
-  EXPECT_EQ(state_of(watch, p), ListState::valid);
-  p.record[0].position.x = 0.03e-3;
-  EXPECT_EQ(state_of(watch, p), ListState::outer_stale);
+TEST(SkinWatch, OneSkinBeginsAnewAlone) {
+  Particles p = random_cloud(54, {.count = 9});
+  p.owned = 6;
+  SkinWatch watch = watching(p);
+  for (ParticleRecord& r : p.record) r.position.z += 0.03e-3;
+  EXPECT_EQ(moved_ones(watch, p), (std::vector<std::int32_t>{0, 1, 2, 3, 4, 5}));
+  const std::vector<std::int32_t> two = {1, 4};
+  watch.begin_inner(p, two);
+  EXPECT_EQ(moved_ones(watch, p), (std::vector<std::int32_t>{0, 2, 3, 5}));
+}
+
+TEST(SkinWatch, GhostsAreWatchedApart) {
+  Particles p = random_cloud(54, {.count = 9});
+  p.owned = 6;
+  SkinWatch watch = watching(p);
+  EXPECT_EQ(watch.inner_marks().size(), 6U);
+  EXPECT_TRUE(watch.moved_ghosts(p).empty());
+  for (const std::size_t i : {2U, 6U, 8U}) p.record[i].position.z += 0.03e-3;
+  const std::span<const std::int32_t> moved = watch.moved_ghosts(p);
+  EXPECT_EQ(std::vector(moved.begin(), moved.end()), (std::vector<std::int32_t>{6, 8}));
+  watch.begin_inner(p, moved);
+  EXPECT_TRUE(watch.moved_ghosts(p).empty());
 }
 
 TEST(SkinWatch, ParkedParticlesAskForNothing) {
@@ -109,14 +134,14 @@ TEST(SkinWatch, ParkedParticlesAskForNothing) {
   SkinWatch watch = watching(p);
   park(p.record[0], 0);
   watch.ignore_parked(p);
-  EXPECT_EQ(state_of(watch, p), ListState::valid);
-  watch.inner_selected(p);
-  EXPECT_EQ(state_of(watch, p), ListState::valid);
+  EXPECT_EQ(state_of(watch, p), Skins::last);
+  watch.begin_inner(p);
+  EXPECT_EQ(state_of(watch, p), Skins::last);
 }
 
 TEST(SkinWatch, NoParticlesNoStaleLists) {
   const Particles p;
-  EXPECT_EQ(state_of(watching(p), p), ListState::valid);
+  EXPECT_EQ(state_of(watching(p), p), Skins::last);
 }
 
 // Grains fly about, are stopped and shot off again; every pair that touches must be in the inner lists at every step.
@@ -129,12 +154,12 @@ TEST(SkinWatch, NoContactIsEverMissed) {
   const Csr<PairMemory> nothing = Csr<PairMemory>::empty(p.owned);
   const auto rebuild = [&] {
     lists.build(p, listed(p, outer), nothing);
-    lists.select_near(p, inner);
     watch = watching(p);
+    lists.select_near(watch.inner_spheres());
   };
   rebuild();
   int rebuilds = 0;
-  int selections = 0;
+  int renewals = 0;
   std::size_t touching = 0;
   for (int step = 0; step < 1500; ++step) {
     for (int kick = 0; kick < 2; ++kick) {
@@ -145,14 +170,17 @@ TEST(SkinWatch, NoContactIsEverMissed) {
       r.position += 5e-7 * r.velocity;
       if (squared_norm(r.position) > 4e-4) r.velocity = -20.0 * r.position;  // back to the cloud
     }
-    const ListState state = state_of(watch, p);
-    if (state == ListState::outer_stale) {
+    const std::vector<std::int32_t> moved = moved_ones(watch, p);
+    if (watch.outer_is_used_up(p, moved)) {
       rebuild();
       ++rebuilds;
-    } else if (state == ListState::inner_stale) {
-      lists.select_near(p, inner);
-      watch.inner_selected(p);
-      ++selections;
+    } else if (step % 50 == 0) {
+      watch.begin_inner(p);
+      lists.select_near(watch.inner_spheres());
+    } else if (!moved.empty()) {
+      watch.begin_inner(p, moved);
+      lists.add_near(watch.inner_spheres(), moved);
+      ++renewals;
     }
     const PairCount listed = inner_pairs(p, lists);
     for (const auto& [pair, count] : brute_force(p, {0.0, 0.0})) {
@@ -161,7 +189,7 @@ TEST(SkinWatch, NoContactIsEverMissed) {
     }
   }
   EXPECT_GT(rebuilds, 5);
-  EXPECT_GT(selections, rebuilds);
+  EXPECT_GT(renewals, rebuilds);
   EXPECT_GT(touching, 10000U);
 }
 

@@ -6,6 +6,8 @@ import math
 import pathlib
 import subprocess
 
+import numpy as np
+
 import bulk_density
 import clogging
 import contours
@@ -13,8 +15,9 @@ import orifice
 import planes
 import sand_layer
 import sensitivity
-from bench import (BULK_DENSITY, DISCHARGE, ROOT, Bench, figures, flat_floor, repose, row_of, save, save_means, spreads, vessel,
-                   with_seeds, write)
+import wall_friction
+from bench import (BULK_DENSITY, DISCHARGE, ROOT, Bench, figures, flat_floor, print_table, repose, row_of, save, save_means, spreads,
+                   vessel, with_seeds, write)
 
 MATERIALS = ("material.0", "material.1")
 STOPPED = 75  # exit code of a run that was stopped with a checkpoint
@@ -32,7 +35,25 @@ def full(options):
         if code != 0:
             raise SystemExit(f"{case} ended with exit code {code}" + (": the same command goes on" if code == STOPPED else ""))
         found = repose.Validation(output)
-        save(options.results / f"{case}.json", case=case, comparisons=found.cases[case], summary=found.runs[case].summary)
+        run = found.runs[case]
+        places = sizes_by_place(run)
+        print_table(places, digits=4)
+        save(options.results / f"{case}.json", case=case, comparisons=found.cases[case], places=places, summary=run.summary)
+
+
+def sizes_by_place(run):
+    """How many grains lie where at the end, and their mean diameters: in the vessel, in the pile and its foot (the outer quarter of
+    its radius), and in the areas around it."""
+    last, scattering = run.snapshots[-1], run.summary.get("scattering")
+    from_axis, above = np.hypot(last.position[:, 0], last.position[:, 1]), last.position[:, 2] > 0.0
+    base = 0.5 * scattering["base_diameter_m"] if scattering else run.summary["pile_height_m"] / math.tan(
+        math.radians(run.summary["angle_of_repose_deg"]))
+    rings = {"pile": (0.0, 0.75 * base), "foot": (0.75 * base, base)}
+    for area in ("area_1", "area_2", "area_3") if scattering else ():
+        rings[area] = (scattering[area]["from_m"], scattering[area]["to_m"] or math.inf)
+    chosen = {"vessel": above, **{name: ~above & (from_axis >= low) & (from_axis < high) for name, (low, high) in rings.items()}}
+    return [{"place": name, "grains": int(np.count_nonzero(here)), "mean diameter, um": 2e6 * float(np.mean(last.radius[here]))}
+            for name, here in chosen.items()]
 
 
 def stiffness(options):
@@ -89,7 +110,8 @@ def sizes(options):
 
 STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study,
            "contours": contours.study, "sensitivity": sensitivity.study, "orifice": orifice.study,
-           "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study}
+           "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study,
+           "wall_friction": wall_friction.study}
 
 
 def main():

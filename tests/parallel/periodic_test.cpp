@@ -11,7 +11,6 @@ namespace repose::test {
 namespace {
 
 constexpr double radius = 5e-4;
-constexpr double density = 3592.0;
 
 /// Grains that fall on a floor and slide down it, several times through a box of 8 by 6 mm; gravity is tilted by about
 /// 35 degrees.

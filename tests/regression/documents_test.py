@@ -62,7 +62,8 @@ CHANGED = {
 }
 # Words of the documents and what they stand for here, where the rest of the command can be run.
 STANDS_FOR = {"DECK": "input/discharge_quick.toml", "DIR": "results/a_run", "results/quick/run_0000089762.hdf": "results/quick/run_*.hdf",
-              "results/validation/carbohsp_mono/run_0001113900.hdf": "results/validation/carbohsp_mono/run_*.hdf"}
+              "results/validation/carbohsp_mono/run_0001113900.hdf": "results/validation/carbohsp_mono/run_*.hdf",
+              "results/validation/sand_multi/run_0003010800.hdf": "results/validation/sand_multi/run_*.hdf"}
 # Beginnings of commands, and why they are not run.
 NOT_RUN = {}
 FORM = re.compile(r"(?<!=)\[|\.\.\.|\b(SCRIPT|TUTORIALS|DECK|FILE|FILES|DIR|TEST|TOOL|SNAPSHOT|RESULT)\b|\bA\.csv\b|<")

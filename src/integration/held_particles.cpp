@@ -65,9 +65,8 @@ std::size_t HeldParticles::find_moved(std::span<const Mark> marks, const Particl
                                       std::span<std::int32_t> moved) const {
   std::size_t count = 0;
   for (const Held& held : held_) {
-    const Mark& mark = marks[held.index];
-    const bool is_moved = squared_norm(particles.record[held.index].position - mark.position) >= mark.squared_skin;
-    if (is_moved) moved[count++] = static_cast<std::int32_t>(held.index);
+    if (!is_used_up(marks[held.index], particles.record[held.index])) continue;
+    moved[count++] = static_cast<std::int32_t>(held.index);
   }
   return count;
 }

@@ -57,9 +57,7 @@ void SkinWatch::ignore_parked(const Particles& particles) {
 std::span<const std::int32_t> SkinWatch::moved_ghosts(const Particles& particles) {
   moved_ghosts_.clear();
   for (std::size_t i = owned_; i < inner_marks_.size(); ++i) {
-    const Mark& mark = inner_marks_[i];
-    const bool moved = squared_norm(particles.record[i].position - mark.position) >= mark.squared_skin;
-    if (moved) moved_ghosts_.push_back(static_cast<std::int32_t>(i));
+    if (is_used_up(inner_marks_[i], particles.record[i])) moved_ghosts_.push_back(static_cast<std::int32_t>(i));
   }
   return moved_ghosts_;
 }

@@ -393,10 +393,10 @@ void Simulation::evaluate_forces(double dt) {
   clock_.enter(Stage::ghosts);
   if (ghosts_on_their_way_) {
     ghosts_.finish(particles_);
+    ghosts_on_their_way_ = false;
     clock_.enter(Stage::lists);
     renew_skins(watch_.moved_ghosts(particles_));
   }
-  ghosts_on_their_way_ = false;
   clock_.enter(Stage::pair_contacts);
   evaluate(false);
   if (alarm && !alarm_) {

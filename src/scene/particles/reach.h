@@ -26,6 +26,11 @@ struct alignas(32) Mark {
   double squared_skin;
 };
 
+/// Whether a particle has moved by its skin.
+inline bool is_used_up(const Mark& mark, const ParticleRecord& particle) {
+  return squared_norm(particle.position - mark.position) >= mark.squared_skin;
+}
+
 /// Where a particle was when its skin began, and how far from there it can be felt until the skin is used up.
 struct alignas(32) ReachSphere {
   Vec3 position;

@@ -5,10 +5,16 @@ all figures should cross there; how they run tells what the test can and cannot 
 
 import json
 import statistics
+import sys
 import tomllib
+
+import numpy as np
 
 from bench import ROOT, Bench, flat_floor, print_table, repose, save, values_of, vessel
 from repose import plots
+
+sys.path.insert(0, str(ROOT / "tests" / "regression"))
+from laboratories import misfit_at  # noqa: E402
 
 LABORATORY_SEEDS, FIRST_SEED = 4, 101
 SMALL = vessel("1.5 g", flat_floor(0.006, 0.051), 0.07)
@@ -22,6 +28,10 @@ CASES = {
     "sand_restitution": ("calibrate_sand_restitution.toml", "scatter_sand.toml",
                          [*SMALL_SAND, "measurement.scattering.base_radius=12 mm", "measurement.scattering.area_3_radius=25 mm"]),
 }
+# Rings around the pile, mm: those of the decks, and wider and narrower ones
+RINGS = {"carbohsp_restitution": ((10, 15), (10, 20), (10, 30), (10, None), (14, None), (18, None), (25, None), (35, None)),
+         "sand_restitution": ((12, 17), (12, 25), (12, 40), (12, None), (18, None), (25, None), (35, None), (45, None))}
+MIDDLE = (0.3, 0.7)  # of the restitution between grains: where its effects are told from
 
 
 def laboratory(options, name, deck, sets, figures):
@@ -58,9 +68,62 @@ def deck_text(full, deck, sets, figures, seeds):
     return text
 
 
-def study(options):
-    """The calibrations of the cases, one after the other; each with its contours as pictures and its grid in the results."""
+def crossings(calibration, truth):
+    """A row for each point where the lines cross, with standard errors, and one that says whether the region has the
+    coefficients behind the laboratory."""
+    estimate = calibration.estimate
+    rows = [{"point": "crossing", **{name: f"{value:.3g} +- {error:.2g}" for name, value, error in
+                                     zip(calibration.parameters, point["values"], point["standard_errors"])}}
+            for point in estimate["points"]]
+    if not estimate["points"]:
+        rows.append({"point": "nearest", **{name: f"{value:.3g}" for name, value in calibration.values.items()}})
+    inside = misfit_at(estimate["surfaces"], truth) <= estimate["limit"]
+    return [*rows, {"point": "the deck's, " + ("in" if inside else "outside") + " the region",
+                    **{name: f"{value:.3g}" for name, value in zip(calibration.parameters, truth)}}]
+
+
+def grid_rows(calibration):
+    """A row for each point of the grid, with the means over its seeds and the state hashes of its runs."""
+    grid, figures = calibration.grid, calibration.figures
+    keys = [*calibration.parameters, *(["level"] if calibration.levels else [])]
+    rows = {}
+    for number in range(grid.rows):
+        rows.setdefault(tuple(grid[key][number].item() for key in keys), []).append(number)
+    return [{**dict(zip(keys, point)), "state": " ".join(grid["state"][own]),
+             **{figure: None if np.all(np.isnan(grid[figure][own])) else round(float(np.nanmean(grid[figure][own])), 7)
+                for figure in figures},
+             "state_hash": [calibration.run(n).summary["state_hash"] for n in own if grid["state"][n] != "failed"]}
+            for point, own in rows.items()]
+
+
+def effects_by_ring(calibration, rings):
+    """How the grains in a ring around the pile depend on both restitutions: slopes of the logarithm of their number, from the
+    points with middling restitution between the grains, and the share of the wall's in both."""
+    grid = calibration.grid
+    chosen = [n for n in range(grid.rows) if MIDDLE[0] - 1e-9 <= grid["restitution"][n] <= MIDDLE[1] + 1e-9]
+    terms = np.array([[1.0, grid["restitution"][n], grid["wall_restitution"][n]] for n in chosen])
+    lying = []
+    for n in chosen:
+        last = calibration.run(n).snapshots[-1]
+        on_plate = last.position[:, 2] < 0.0
+        lying.append(1e3 * np.hypot(last.position[on_plate, 0], last.position[on_plate, 1]))
     rows = []
+    for low, high in rings:
+        counts = np.array([np.count_nonzero((r >= low) & (r < (high or np.inf))) for r in lying])
+        logs = np.log(np.maximum(counts, 1))
+        found, *_ = np.linalg.lstsq(terms, logs, rcond=None)
+        rest = logs - terms @ found
+        covariance = np.linalg.inv(terms.T @ terms) * (rest @ rest) / (len(logs) - 3)
+        grains, wall = found[1:]
+        own, walls = np.sqrt(np.diag(covariance)[1:])
+        rows.append({"ring, mm": f"{low} to {high}" if high else f"beyond {low}", "grains": int(np.median(counts)),
+                     "restitution": f"{grains:.2f} +- {own:.2f}", "with the wall": f"{wall:.2f} +- {walls:.2f}",
+                     "wall's over both": f"{wall / (grains + wall):.2f}"})
+    return rows
+
+
+def study(options):
+    """The calibrations of the cases, one after the other; each with its contours as a picture and its grid in the results."""
     for name in options.cases or CASES:
         file, deck, sets = CASES[name]
         full = tomllib.loads((ROOT / "input" / file).read_text())
@@ -69,10 +132,12 @@ def study(options):
         path = options.work / f"contours_{name}.toml"
         path.write_text(deck_text(full, deck, sets, figures, options.seeds))
         calibration = repose.calibrate(path, options.work / f"contours_{name}", ranks=options.ranks, program=options.program)
-        for figure in figures:
-            plots.contours(calibration, figure).savefig(options.work / f"contours_{name}_{figure}.png", dpi=150)
-        own = [{"parameter": p["name"], "thesis": coefficient(deck, p["key"]), "found": calibration.values[p["name"]]}
-               for p in full["parameter"]]
-        save(options.results / f"contours_{name}.json", case=name, laboratory=found, estimate=calibration.estimate, rows=own)
-        rows += [{"case": name, **row, "verdict": calibration.estimate["verdict"]} for row in own]
-    print_table(rows)
+        plots.plane(calibration).savefig(options.work / f"contours_{name}.png", dpi=100)
+        own = crossings(calibration, [coefficient(deck, p["key"]) for p in full["parameter"]])
+        print_table(own)
+        rings = effects_by_ring(calibration, RINGS[name]) if name in RINGS else []
+        if rings:
+            print_table(rings)
+        estimate = {key: value for key, value in calibration.estimate.items() if key not in ("surfaces", "first_level_alone")}
+        save(options.results / f"contours_{name}.json", case=name, seeds=options.seeds, laboratory=found, estimate=estimate,
+             crossings=own, rings=rings, rows=grid_rows(calibration))

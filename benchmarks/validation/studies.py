@@ -9,6 +9,7 @@ import subprocess
 import numpy as np
 
 import bulk_density
+import calibrations
 import clogging
 import contours
 import orifice
@@ -109,7 +110,7 @@ def sizes(options):
 
 
 STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study,
-           "contours": contours.study, "sensitivity": sensitivity.study, "orifice": orifice.study,
+           "contours": contours.study, "calibrations": calibrations.study, "sensitivity": sensitivity.study, "orifice": orifice.study,
            "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study,
            "wall_friction": wall_friction.study}
 
@@ -121,9 +122,9 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "validation")
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "validation")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time, one rank each")
-    parser.add_argument("--ranks", type=int, default=2, help="of a case of full size, and of contours")
-    parser.add_argument("--cases", nargs="+", help="of full size, or of contours; default: all")
-    parser.add_argument("--time-limit", help="of a case of full size: HH:MM:SS")
+    parser.add_argument("--ranks", type=int, default=2, help="of a case of full size, of contours and of calibrations")
+    parser.add_argument("--cases", nargs="+", help="of full size, of contours or of calibrations; default: all")
+    parser.add_argument("--time-limit", help="of a case of full size or of a calibration: HH:MM:SS")
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.11, 12.0], help="of the funnel, mm")
     options = parser.parse_args()

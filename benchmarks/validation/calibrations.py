@@ -3,7 +3,7 @@
 import tomllib
 
 from bench import ROOT, print_table, repose, save
-from contours import coefficient, crossings, grid_rows
+from contours import coefficient, crossings, estimate_of, grid_rows
 from repose import plots
 
 CASES = {"carbohsp_friction": "calibrate_carbohsp_levels.toml", "sand_friction": "calibrate_sand_levels.toml"}
@@ -20,5 +20,5 @@ def study(options):
         deck = tomllib.loads(path.read_text())
         rows = crossings(calibration, [coefficient(deck["base"], p["key"]) for p in deck["parameter"]])
         print_table(rows)
-        estimate = {key: value for key, value in calibration.estimate.items() if key not in ("surfaces", "first_level_alone")}
-        save(options.results / f"calibration_{name}.json", case=name, estimate=estimate, crossings=rows, rows=grid_rows(calibration))
+        save(options.results / f"calibration_{name}.json", case=name, estimate=estimate_of(calibration), crossings=rows,
+             rows=grid_rows(calibration))

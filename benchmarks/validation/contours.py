@@ -82,6 +82,11 @@ def crossings(calibration, truth):
                     **{name: f"{value:.3g}" for name, value in zip(calibration.parameters, truth)}}]
 
 
+def estimate_of(calibration):
+    """estimate.json without the values on its lattices."""
+    return {key: value for key, value in calibration.estimate.items() if key not in ("surfaces", "first_level_alone")}
+
+
 def grid_rows(calibration):
     """A row for each point of the grid, with the means over its seeds and the state hashes of its runs."""
     grid, figures = calibration.grid, calibration.figures
@@ -138,6 +143,5 @@ def study(options):
         rings = effects_by_ring(calibration, RINGS[name]) if name in RINGS else []
         if rings:
             print_table(rings)
-        estimate = {key: value for key, value in calibration.estimate.items() if key not in ("surfaces", "first_level_alone")}
-        save(options.results / f"contours_{name}.json", case=name, seeds=options.seeds, laboratory=found, estimate=estimate,
-             crossings=own, rings=rings, rows=grid_rows(calibration))
+        save(options.results / f"contours_{name}.json", case=name, seeds=options.seeds, laboratory=found,
+             estimate=estimate_of(calibration), crossings=own, rings=rings, rows=grid_rows(calibration))

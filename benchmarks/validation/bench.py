@@ -5,6 +5,8 @@ import statistics
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+import numpy as np
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from report import ROOT, print_table, save  # noqa: E402  (and where the package is)
 import repose  # noqa: E402
@@ -31,6 +33,16 @@ class Bench:
         self.work.mkdir(parents=True, exist_ok=True)
         with ThreadPoolExecutor(self.cores) as pool:
             return dict(zip(runs, pool.map(lambda name: self.run(name, *runs[name]), runs)))
+
+
+def time_limit(options):
+    """Words of the command line that stop a run in time, if that was asked for."""
+    return ["--time-limit", options.time_limit] if options.time_limit else []
+
+
+def places(snapshot):
+    """How far each grain is from the axis, in m, and whether it is above the hole, where the vessel is."""
+    return np.hypot(snapshot.position[:, 0], snapshot.position[:, 1]), snapshot.position[:, 2] > 0.0
 
 
 def figures(summary):

@@ -10,7 +10,7 @@ import tomllib
 
 import numpy as np
 
-from bench import ROOT, Bench, flat_floor, print_table, repose, save, values_of, vessel
+from bench import ROOT, Bench, flat_floor, places, print_table, repose, save, time_limit, values_of, vessel
 from repose import plots
 
 sys.path.insert(0, str(ROOT / "tests" / "regression"))
@@ -101,6 +101,18 @@ def grid_rows(calibration):
             for point, own in rows.items()]
 
 
+def calibrate(options, name, path):
+    """A calibration over two parameters, drawn, beside the coefficients of its base; it and what is kept of it. What was stopped
+    goes on."""
+    calibration = repose.calibrate(path, options.work / name, ranks=options.ranks, program=options.program,
+                                   options=time_limit(options))
+    plots.plane(calibration).savefig(options.work / f"{name}.png", dpi=100)
+    deck = calibration.deck
+    rows = crossings(calibration, [coefficient(deck["base"], p["key"]) for p in deck["parameter"]])
+    print_table(rows)
+    return calibration, {"estimate": estimate_of(calibration), "crossings": rows, "rows": grid_rows(calibration)}
+
+
 def effects_by_ring(calibration, rings):
     """How the grains in a ring around the pile depend on both restitutions: slopes of the logarithm of their number, from the
     points with middling restitution between the grains, and the share of the wall's in both."""
@@ -109,9 +121,8 @@ def effects_by_ring(calibration, rings):
     terms = np.array([[1.0, grid["restitution"][n], grid["wall_restitution"][n]] for n in chosen])
     lying = []
     for n in chosen:
-        last = calibration.run(n).snapshots[-1]
-        on_plate = last.position[:, 2] < 0.0
-        lying.append(1e3 * np.hypot(last.position[on_plate, 0], last.position[on_plate, 1]))
+        from_axis, above = places(calibration.run(n).snapshots[-1])
+        lying.append(1e3 * from_axis[~above])
     rows = []
     for low, high in rings:
         counts = np.array([np.count_nonzero((r >= low) & (r < (high or np.inf))) for r in lying])
@@ -136,12 +147,8 @@ def study(options):
         figures = {figure: value for figure, value in found.items() if value}
         path = options.work / f"contours_{name}.toml"
         path.write_text(deck_text(full, deck, sets, figures, options.seeds))
-        calibration = repose.calibrate(path, options.work / f"contours_{name}", ranks=options.ranks, program=options.program)
-        plots.plane(calibration).savefig(options.work / f"contours_{name}.png", dpi=100)
-        own = crossings(calibration, [coefficient(deck, p["key"]) for p in full["parameter"]])
-        print_table(own)
+        calibration, content = calibrate(options, f"contours_{name}", path)
         rings = effects_by_ring(calibration, RINGS[name]) if name in RINGS else []
         if rings:
             print_table(rings)
-        save(options.results / f"contours_{name}.json", case=name, seeds=options.seeds, laboratory=found,
-             estimate=estimate_of(calibration), crossings=own, rings=rings, rows=grid_rows(calibration))
+        save(options.results / f"contours_{name}.json", case=name, seeds=options.seeds, laboratory=found, rings=rings, **content)

@@ -17,8 +17,8 @@ import planes
 import sand_layer
 import sensitivity
 import wall_friction
-from bench import (BULK_DENSITY, DISCHARGE, ROOT, Bench, figures, flat_floor, print_table, repose, row_of, save, save_means, spreads,
-                   vessel, with_seeds, write)
+from bench import (BULK_DENSITY, DISCHARGE, ROOT, Bench, figures, flat_floor, places, print_table, repose, row_of, save, save_means,
+                   spreads, time_limit, vessel, with_seeds, write)
 
 MATERIALS = ("material.0", "material.1")
 STOPPED = 75  # exit code of a run that was stopped with a checkpoint
@@ -29,9 +29,7 @@ def full(options):
     output = options.work / "validation"
     for case in options.cases or ["carbohsp_mono", "carbohsp_multi", "sand_multi"]:
         command = ["mpirun", "-n", str(options.ranks), options.program, "validate", str(ROOT / "input" / "validation.toml"),
-                   "--case", case, "--output", str(output)]
-        if options.time_limit:
-            command += ["--time-limit", options.time_limit]
+                   "--case", case, "--output", str(output), *time_limit(options)]
         code = subprocess.run(command, stdin=subprocess.DEVNULL).returncode
         if code != 0:
             raise SystemExit(f"{case} ended with exit code {code}" + (": the same command goes on" if code == STOPPED else ""))
@@ -46,7 +44,7 @@ def sizes_by_place(run):
     """How many grains lie where at the end, and their mean diameters: in the vessel, in the pile and its foot (the outer quarter of
     its radius), and in the areas around it."""
     last, scattering = run.snapshots[-1], run.summary.get("scattering")
-    from_axis, above = np.hypot(last.position[:, 0], last.position[:, 1]), last.position[:, 2] > 0.0
+    from_axis, above = places(last)
     base = 0.5 * scattering["base_diameter_m"] if scattering else run.summary["pile_height_m"] / math.tan(
         math.radians(run.summary["angle_of_repose_deg"]))
     rings = {"pile": (0.0, 0.75 * base), "foot": (0.75 * base, base)}
@@ -110,8 +108,8 @@ def sizes(options):
 
 
 STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study,
-           "contours": contours.study, "calibrations": calibrations.study, "sensitivity": sensitivity.study, "orifice": orifice.study,
-           "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study,
+           "contours": contours.study, "calibrations": calibrations.study, "sensitivity": sensitivity.study,
+           "orifice": orifice.study, "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study,
            "wall_friction": wall_friction.study}
 
 
@@ -124,7 +122,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time, one rank each")
     parser.add_argument("--ranks", type=int, default=2, help="of a case of full size, of contours and of calibrations")
     parser.add_argument("--cases", nargs="+", help="of full size, of contours or of calibrations; default: all")
-    parser.add_argument("--time-limit", help="of a case of full size or of a calibration: HH:MM:SS")
+    parser.add_argument("--time-limit", help="of a case of full size, of contours or of a calibration: HH:MM:SS")
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.11, 12.0], help="of the funnel, mm")
     options = parser.parse_args()

@@ -9,24 +9,15 @@
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
 #include "simulation_counts.h"
+#include "support/glass_beads.h"
 
 namespace repose::test {
 namespace {
 
-const char* const driven_scene = R"(
+const std::string driven_scene = glass + R"(
 [domain]
 min = [-0.03, -0.02, -0.02]
 max = [0.03, 0.02, 0.05]
-[[material]]
-name = "glass"
-youngs_modulus = 5e6
-poisson_ratio = 0.25
-density = 2500.0
-[[pair]]
-materials = ["glass", "glass"]
-restitution = 0.6
-sliding_friction = 0.4
-rolling_friction = 0.05
 [[wall]]
 name = "drum"
 type = "profile"
@@ -88,8 +79,6 @@ max = [0.0006, 0.0075, -0.0139]
 [tilt]
 angular_velocity = 5.0
 phases = ["drive"]
-[time]
-step = 1e-5
 [[phase]]
 name = "fall"
 until = "steps"

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/deck_runs.h"
+#include "support/glass_beads.h"
 
 namespace repose::test {
 namespace {
@@ -72,25 +73,12 @@ const double grain_mass = 2500.0 * M_PI / 6.0 * 1e-9;
 const double modulus = 5e6 / (2.0 * (1.0 - 0.09));
 
 /// A bed in a tub that a paddle goes through along a helix.
-const char* const paddle = R"(
+const std::string paddle = glass + R"(
 [domain]
 min = [-0.006, -0.006, -0.001]
 max = [0.006, 0.006, 0.03]
-[[material]]
-name = "glass"
-youngs_modulus = 5e6
-poisson_ratio = 0.25
-density = 2500.0
-[[pair]]
-materials = ["glass", "glass"]
-restitution = 0.6
-sliding_friction = 0.4
-rolling_friction = 0.05
-[[wall]]
-name = "tub"
-type = "profile"
-material = "glass"
-points = [[0.0, 0.0], [0.005, 0.0], [0.005, 0.03]]
+)" + glass_tube("tub", 0.03) +
+                           R"(
 [[wall]]
 name = "paddle"
 type = "rectangle"
@@ -106,17 +94,8 @@ phases = ["stir"]
 type = "translation"
 velocity = [0.0, 0.0, -0.09]
 phases = ["stir"]
-[[particles]]
-type = "fill"
-material = "glass"
-diameter = 0.001
-count = 300
-region = "cylinder"
-centre = [0.0, 0.0, 0.0]
-radius = 0.0049
-height = 0.007
-[time]
-step = 1e-5
+)" + glass_beads(300, 0.007) +
+                           R"(
 [[phase]]
 name = "fall"
 until = "steps"

@@ -8,30 +8,18 @@
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
 #include "simulation_counts.h"
+#include "support/glass_beads.h"
 #include "support/scenes.h"
 
 namespace repose::test {
 namespace {
 
-const std::string blades = R"(
+const std::string blades = glass + R"(
 [domain]
 min = [-0.006, -0.006, -0.002]
 max = [0.006, 0.006, 0.02]
-[[material]]
-name = "glass"
-youngs_modulus = 5e6
-poisson_ratio = 0.25
-density = 2500.0
-[[pair]]
-materials = ["glass", "glass"]
-restitution = 0.6
-sliding_friction = 0.4
-rolling_friction = 0.05
-[[wall]]
-name = "tube"
-type = "profile"
-material = "glass"
-points = [[0.0, 0.0], [0.005, 0.0], [0.005, 0.02]]
+)" + glass_tube("tube", 0.02) +
+                           R"(
 [[wall.motion]]
 type = "rotation"
 angular_velocity = 12.0
@@ -52,17 +40,8 @@ corner = [0.0, -0.003, 0.001]
 edge_u = [0.0, 0.006, 0.0]
 edge_v = [0.0, 0.0, 0.003]
 MOVED
-[[particles]]
-type = "fill"
-material = "glass"
-diameter = 0.001
-count = 250
-region = "cylinder"
-centre = [0.0, 0.0, 0.0]
-radius = 0.0049
-height = 0.012
-[time]
-step = 1e-5
+)" + glass_beads(250, 0.012) +
+                           R"(
 [[phase]]
 name = "fall"
 until = "steps"

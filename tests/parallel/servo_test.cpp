@@ -11,30 +11,17 @@
 #include "servo_runs.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
+#include "support/glass_beads.h"
 #include "support/scenes.h"
 
 namespace repose::test {
 namespace {
 
-const char* const plate_on_bed = R"(
+const std::string plate_on_bed = glass + R"(
 [domain]
 min = [-0.006, -0.006, -0.002]
 max = [0.006, 0.006, 0.03]
-[[material]]
-name = "glass"
-youngs_modulus = 5e6
-poisson_ratio = 0.25
-density = 2500.0
-[[pair]]
-materials = ["glass", "glass"]
-restitution = 0.6
-sliding_friction = 0.4
-rolling_friction = 0.05
-[[wall]]
-name = "tube"
-type = "profile"
-material = "glass"
-points = [[0.0, 0.0], [0.005, 0.0], [0.005, 0.03]]
+)" + glass_tube("tube", 0.03) + R"(
 [[wall]]
 name = "plate"
 type = "disc"
@@ -48,17 +35,7 @@ max_speed = 0.2
 max_way = 0.012
 tolerance = 1e-3
 phases = ["press", "rest"]
-[[particles]]
-type = "fill"
-material = "glass"
-diameter = 0.001
-count = 500
-region = "cylinder"
-centre = [0.0, 0.0, 0.0]
-radius = 0.0049
-height = 0.012
-[time]
-step = 1e-5
+)" + glass_beads(500, 0.012) + R"(
 [[phase]]
 name = "fall"
 until = "steps"

@@ -10,6 +10,7 @@
 #include "servo_runs.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
+#include "support/glass_beads.h"
 #include "support/scenes.h"
 
 namespace repose::test {
@@ -147,25 +148,11 @@ TEST(TurningServo, TheTorqueOfAPhaseIsAboutItsAxis) {
   EXPECT_EQ(*ended, "max_time");
 }
 
-const char* const vane_in_bed = R"(
+const std::string vane_in_bed = glass + R"(
 [domain]
 min = [-0.006, -0.006, -0.002]
 max = [0.006, 0.006, 0.02]
-[[material]]
-name = "glass"
-youngs_modulus = 5e6
-poisson_ratio = 0.25
-density = 2500.0
-[[pair]]
-materials = ["glass", "glass"]
-restitution = 0.6
-sliding_friction = 0.4
-rolling_friction = 0.05
-[[wall]]
-name = "tube"
-type = "profile"
-material = "glass"
-points = [[0.0, 0.0], [0.005, 0.0], [0.005, 0.02]]
+)" + glass_tube("tube", 0.02) + R"(
 [[wall]]
 name = "blade"
 type = "rectangle"
@@ -188,17 +175,7 @@ moves_with = "blade"
 corner = [0.0, -0.003, 0.001]
 edge_u = [0.0, 0.006, 0.0]
 edge_v = [0.0, 0.0, 0.005]
-[[particles]]
-type = "fill"
-material = "glass"
-diameter = 0.001
-count = 450
-region = "cylinder"
-centre = [0.0, 0.0, 0.0]
-radius = 0.0049
-height = 0.012
-[time]
-step = 1e-5
+)" + glass_beads(450, 0.012) + R"(
 [[phase]]
 name = "fall"
 until = "steps"

@@ -2,12 +2,15 @@
 
 import contours
 from bench import ROOT, save
+from kept_runs import kept
 
 CASES = {"carbohsp_friction": "calibrate_carbohsp_levels.toml", "sand_friction": "calibrate_sand_levels.toml"}
 
 
 def study(options):
     """The calibrations of the cases, one after the other; each with its picture."""
-    for name in options.cases or CASES:
-        _, content = contours.calibrate(options, f"calibration_{name}", ROOT / "input" / CASES[name])
-        save(options.results / f"calibration_{name}.json", case=name, **content)
+    for case in options.cases or CASES:
+        name = f"calibration_{case}"
+        with kept(options, name):
+            _, content = contours.calibrate(options, name, ROOT / "input" / CASES[case])
+        save(options.results / f"{name}.json", case=case, **content)

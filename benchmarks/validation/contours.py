@@ -11,6 +11,7 @@ import tomllib
 import numpy as np
 
 from bench import ROOT, Bench, flat_floor, places, print_table, repose, save, time_limit, values_of, vessel
+from kept_runs import kept
 from repose import plots
 
 sys.path.insert(0, str(ROOT / "tests" / "regression"))
@@ -101,16 +102,37 @@ def grid_rows(calibration):
             for point, own in rows.items()]
 
 
-def calibrate(options, name, path):
-    """A calibration over two parameters, drawn, beside the coefficients of its base; it and what is kept of it. What was stopped
-    goes on."""
-    calibration = repose.calibrate(path, options.work / name, ranks=options.ranks, program=options.program,
-                                   options=time_limit(options))
+def calibrate(options, name, path, rings=()):
+    """A calibration over two parameters, drawn, beside the coefficients of its base; it and what is saved of it. What was stopped
+    goes on. rings: those in which the grains of each run are counted."""
+    try:
+        calibration = repose.calibrate(path, options.work / name, ranks=options.ranks, program=options.program,
+                                       options=time_limit(options))
+    except repose.ReposeError as error:
+        raise SystemExit(f"{name}: {error}") from None
+    finally:
+        for folder in {found.parent for found in (options.work / name).glob("runs/*/summary.json")} if rings else ():
+            count_in_rings(folder, rings)
     plots.plane(calibration).savefig(options.work / f"{name}.png", dpi=100)
     deck = calibration.deck
     rows = crossings(calibration, [coefficient(deck["base"], p["key"]) for p in deck["parameter"]])
     print_table(rows)
     return calibration, {"estimate": estimate_of(calibration), "crossings": rows, "rows": grid_rows(calibration)}
+
+
+def ring_name(low, high):
+    return f"{low} to {high}" if high else f"beyond {low}"
+
+
+def count_in_rings(folder, rings):
+    """How many grains lie in rings around the axis at the end of a run, {name of the ring: number}; kept in its folder."""
+    path = folder / "rings.json"
+    if not path.exists():
+        from_axis, above = places(repose.Run(folder).snapshots[-1])
+        lying = 1e3 * from_axis[~above]
+        path.write_text(json.dumps({ring_name(low, high): int(np.count_nonzero((lying >= low) & (lying < (high or np.inf))))
+                                    for low, high in rings}))
+    return json.loads(path.read_text())
 
 
 def effects_by_ring(calibration, rings):
@@ -119,36 +141,35 @@ def effects_by_ring(calibration, rings):
     grid = calibration.grid
     chosen = [n for n in range(grid.rows) if MIDDLE[0] - 1e-9 <= grid["restitution"][n] <= MIDDLE[1] + 1e-9]
     terms = np.array([[1.0, grid["restitution"][n], grid["wall_restitution"][n]] for n in chosen])
-    lying = []
-    for n in chosen:
-        from_axis, above = places(calibration.run(n).snapshots[-1])
-        lying.append(1e3 * from_axis[~above])
+    counted = [count_in_rings(calibration.folders[n], rings) for n in chosen]
     rows = []
-    for low, high in rings:
-        counts = np.array([np.count_nonzero((r >= low) & (r < (high or np.inf))) for r in lying])
+    for ring in counted[0]:
+        counts = np.array([of_run[ring] for of_run in counted])
         logs = np.log(np.maximum(counts, 1))
         found, *_ = np.linalg.lstsq(terms, logs, rcond=None)
         rest = logs - terms @ found
         covariance = np.linalg.inv(terms.T @ terms) * (rest @ rest) / (len(logs) - 3)
         grains, wall = found[1:]
         own, walls = np.sqrt(np.diag(covariance)[1:])
-        rows.append({"ring, mm": f"{low} to {high}" if high else f"beyond {low}", "grains": int(np.median(counts)),
-                     "restitution": f"{grains:.2f} +- {own:.2f}", "with the wall": f"{wall:.2f} +- {walls:.2f}",
-                     "wall's over both": f"{wall / (grains + wall):.2f}"})
+        rows.append({"ring, mm": ring, "grains": int(np.median(counts)), "restitution": f"{grains:.2f} +- {own:.2f}",
+                     "with the wall": f"{wall:.2f} +- {walls:.2f}", "wall's over both": f"{wall / (grains + wall):.2f}"})
     return rows
 
 
 def study(options):
     """The calibrations of the cases, one after the other; each with its contours as a picture and its grid in the results."""
-    for name in options.cases or CASES:
-        file, deck, sets = CASES[name]
+    for case in options.cases or CASES:
+        name = f"contours_{case}"
+        file, deck, sets = CASES[case]
         full = tomllib.loads((ROOT / "input" / file).read_text())
-        found = laboratory(options, name, deck, sets, [o["figure"] for o in full["observable"]])
-        figures = {figure: value for figure, value in found.items() if value}
-        path = options.work / f"contours_{name}.toml"
-        path.write_text(deck_text(full, deck, sets, figures, options.seeds))
-        calibration, content = calibrate(options, f"contours_{name}", path)
-        rings = effects_by_ring(calibration, RINGS[name]) if name in RINGS else []
-        if rings:
-            print_table(rings)
-        save(options.results / f"contours_{name}.json", case=name, seeds=options.seeds, laboratory=found, rings=rings, **content)
+        rings = RINGS.get(case, ())
+        with kept(options, name):
+            found = laboratory(options, name, deck, sets, [o["figure"] for o in full["observable"]])
+            figures = {figure: value for figure, value in found.items() if value}
+            path = options.work / f"{name}.toml"
+            path.write_text(deck_text(full, deck, sets, figures, options.seeds))
+            calibration, content = calibrate(options, name, path, rings)
+            effects = effects_by_ring(calibration, rings) if rings else []
+        if effects:
+            print_table(effects)
+        save(options.results / f"{name}.json", case=case, seeds=options.seeds, laboratory=found, rings=effects, **content)

@@ -88,6 +88,17 @@ def estimate_of(calibration):
     return {key: value for key, value in calibration.estimate.items() if key not in ("surfaces", "first_level_alone")}
 
 
+def counts(state, figure):
+    """Whether a run in this state counts for a figure, as in a calibration: one whose hole was plugged for the mass alone."""
+    return state == "done" or (state == "plugged" and figure in ("discharged_mass_kg", "retained_mass_kg"))
+
+
+def mean_of(grid, rows, figure):
+    """Of a figure over those of the rows of a grid that count and have it; None without any."""
+    values = [grid[figure][n] for n in rows if counts(grid["state"][n], figure) and not np.isnan(grid[figure][n])]
+    return round(float(np.mean(values)), 7) if values else None
+
+
 def grid_rows(calibration):
     """A row for each point of the grid, with the means over its seeds and the state hashes of its runs."""
     grid, figures = calibration.grid, calibration.figures
@@ -96,8 +107,7 @@ def grid_rows(calibration):
     for number in range(grid.rows):
         rows.setdefault(tuple(grid[key][number].item() for key in keys), []).append(number)
     return [{**dict(zip(keys, point)), "state": " ".join(grid["state"][own]),
-             **{figure: None if np.all(np.isnan(grid[figure][own])) else round(float(np.nanmean(grid[figure][own])), 7)
-                for figure in figures},
+             **{figure: mean_of(grid, own, figure) for figure in figures},
              "state_hash": [calibration.run(n).summary["state_hash"] for n in own if grid["state"][n] != "failed"]}
             for point, own in rows.items()]
 
@@ -139,7 +149,8 @@ def effects_by_ring(calibration, rings):
     """How the grains in a ring around the pile depend on both restitutions: slopes of the logarithm of their number, from the
     points with middling restitution between the grains, and the share of the wall's in both."""
     grid = calibration.grid
-    chosen = [n for n in range(grid.rows) if MIDDLE[0] - 1e-9 <= grid["restitution"][n] <= MIDDLE[1] + 1e-9]
+    chosen = [n for n in range(grid.rows) if grid["state"][n] == "done" and
+              MIDDLE[0] - 1e-9 <= grid["restitution"][n] <= MIDDLE[1] + 1e-9]
     terms = np.array([[1.0, grid["restitution"][n], grid["wall_restitution"][n]] for n in chosen])
     counted = [count_in_rings(calibration.folders[n], rings) for n in chosen]
     rows = []

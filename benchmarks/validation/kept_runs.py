@@ -38,7 +38,7 @@ def _keep(options, name):
         record |= {file: json.loads((folder / file).read_text()) for file in FILES if (folder / file).exists()}
         for key in LEFT_OUT:
             record.get("summary.json", {}).pop(key, None)
-        lines.append(json.dumps(record) + "\n")
+        lines.append(json.dumps(record).replace(f"{options.work}/", "") + "\n")  # messages name files below it
     if lines:
         path = _file_of(options, name)
         path.parent.mkdir(parents=True, exist_ok=True)

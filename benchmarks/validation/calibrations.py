@@ -4,7 +4,8 @@ import contours
 from bench import ROOT, save
 from kept_runs import kept
 
-CASES = {"carbohsp_friction": "calibrate_carbohsp_levels.toml", "sand_friction": "calibrate_sand_levels.toml"}
+CASES = {"carbohsp_friction": "calibrate_carbohsp_levels.toml", "sand_friction": "calibrate_sand_levels.toml",
+         "carbohsp_restitution": "calibrate_carbohsp_restitution_levels.toml"}
 
 
 def study(options):

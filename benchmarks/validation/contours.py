@@ -121,8 +121,9 @@ def calibrate(options, name, path, rings=()):
     except repose.ReposeError as error:
         raise SystemExit(f"{name}: {error}") from None
     finally:
-        for folder in {found.parent for found in (options.work / name).glob("runs/*/summary.json")} if rings else ():
-            count_in_rings(folder, rings)
+        if rings:
+            for summary in (options.work / name).glob("runs/*/summary.json"):
+                count_in_rings(summary.parent, rings)
     plots.plane(calibration).savefig(options.work / f"{name}.png", dpi=100)
     deck = calibration.deck
     rows = crossings(calibration, [coefficient(deck["base"], p["key"]) for p in deck["parameter"]])

@@ -1,5 +1,6 @@
 #include "campaign/calibrate.h"
 
+#include <cmath>
 #include <optional>
 
 #include <fmt/core.h>
@@ -55,6 +56,29 @@ void check_counts(const CalibrationDeck& deck, const std::string& path) {
                   path, parameters, observables));
 }
 
+/// Collective. What a calibration is to find, with its curves, as far as it can be right before any run.
+CalibrationDeck read_deck_and_curves(const Communicator& world, const std::string& text, const std::string& path) {
+  CalibrationDeck deck = read_calibration_deck(text, path);
+  check_counts(deck, path);
+  check_priors_in_ranges(deck, path);
+  read_curves(
+      world, [&](const ObservableDeck& o) { return path_beside(path, o.curve); }, deck);
+  return deck;
+}
+
+/// The points that are run before any estimate.
+std::vector<LevelPoint> first_points(const CalibrationDeck& deck) {
+  return deck.adaptive.enabled ? first_design(deck) : at_every_level(deck, points_of(deck));
+}
+
+/// How a search goes on after its first design.
+std::string search_text(const AdaptiveDeck& a) {
+  std::string text = fmt::format("search      then {} points at a time until the region is narrow", a.batch);
+  if (a.budget > 0) text += fmt::format(", at most {} points", a.budget);
+  if (!std::isnan(a.budget_core_hours)) text += fmt::format(", at most {:g} core-hours", a.budget_core_hours);
+  return text + " in all\n";
+}
+
 std::string write_estimate(const Projection& projection, std::span<const StudyRun> runs, const std::string& directory) {
   const Report report = report_of(projection, runs);
   if (!report.samples.empty()) write_text_file(directory + samples_file, report.samples);
@@ -67,22 +91,19 @@ std::string write_estimate(const Projection& projection, std::span<const StudyRu
 std::string calibrate_file(const Communicator& world, const RunRequest& request, const StopAsked& stop_asked,
                            const std::string& report_file) {
   const std::string text = read_shared_file(world, request.deck);
-  CalibrationDeck deck = read_calibration_deck(text, request.deck);
-  check_counts(deck, request.deck);
-  check_priors_in_ranges(deck, request.deck);
-  const auto path_of = [&](const ObservableDeck& o) { return path_beside(request.deck, o.curve); };
-  read_curves(world, path_of, deck);
+  const CalibrationDeck deck = read_deck_and_curves(world, text, request.deck);
   std::optional<LiveReport> live;
   agree_after_root(world, [&] {
     create_output_directory(request.output);
     write_text_file(request.output + deck_file, text);
     for (const ObservableDeck& o : deck.observables) {
-      if (o.is_curve()) write_text_file(request.output + "/" + curve_copy(o), read_whole_file(path_of(o)));
+      if (o.is_curve())
+        write_text_file(request.output + "/" + curve_copy(o), read_whole_file(path_beside(request.deck, o.curve)));
     }
     if (!report_file.empty()) live.emplace(request.output, report_file, request.log);
   });
   CalibrationWork work(world, deck, text, request, stop_asked, live ? &*live : nullptr);
-  const auto done = deck.adaptive.enabled ? search(deck, work) : work.at(at_every_level(deck, points_of(deck)));
+  const auto done = deck.adaptive.enabled ? search(deck, work) : work.at(first_points(deck));
   std::string report;
   agree_after_root(world, [&] {
     const Projection projection = project_curves(deck, request.output, done.runs, done.records);
@@ -90,6 +111,18 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
     report = write_estimate(projection, done.runs, request.output);
     report += effort_text(work.effort(), world.size());
     if (live) live->finish();
+  });
+  return report;
+}
+
+std::string check_calibration(const Communicator& world, const RunRequest& request) {
+  const std::string text = read_shared_file(world, request.deck);
+  const CalibrationDeck deck = read_deck_and_curves(world, text, request.deck);
+  const CalibrationWork work(world, deck, text, request, {}, nullptr);
+  std::string report;
+  agree_after_root(world, [&] {
+    report = work.planned(first_points(deck));
+    if (deck.adaptive.enabled) report += search_text(deck.adaptive);
   });
   return report;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "campaign/level_runs.h"
+#include "campaign/planned_work.h"
 #include "comm/agreement.h"
 #include "files/shared_file.h"
 
@@ -49,6 +50,12 @@ void CalibrationWork::write_table(const Projection& projection, std::span<const 
   std::vector<std::string> columns;
   for (const ObservableDeck& o : projection.deck.observables) columns.push_back(o.figure);
   write_campaign_table(plan_, columns, runs, projection.records);
+}
+
+std::string CalibrationWork::planned(std::span<const LevelPoint> points) const {
+  const std::vector<StudyRun> runs = level_runs(deck_, overrides_, points);
+  check_campaign(plan_, runs);
+  return planned_work_text(plan_, runs, deck_.adaptive.core_speed, world_.size());
 }
 
 DoneRuns CalibrationWork::at(std::span<const LevelPoint> points) {

@@ -31,6 +31,9 @@ class CalibrationWork {
   /// The runs at all these points; what is complete is not done again. DeckError, FileError, Stopped.
   DoneRuns at(std::span<const LevelPoint> points);
 
+  /// What the runs at these points would take, for a person; runs nothing. For rank 0. DeckError, FileError.
+  std::string planned(std::span<const LevelPoint> points) const;
+
   /// Puts the scores of curves into the tables of the runs. For rank 0.
   void write_table(const Projection& projection, std::span<const StudyRun> runs) const;
 
@@ -43,7 +46,7 @@ class CalibrationWork {
   const Communicator& world_;
   const CalibrationDeck& deck_;
   const std::vector<std::string>& overrides_;
-  const StopAsked& stop_asked_;
+  StopAsked stop_asked_;
   CampaignPlan plan_;
   CampaignEffort effort_;
 };

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "campaign/campaign_watch.h"
 #include "campaign/expected_cost.h"
+#include "campaign/planned_work.h"
 #include "campaign/rank_groups.h"
 #include "comm/agreement.h"
 #include "deck/read_deck.h"
@@ -20,7 +21,6 @@
 #include "files/directory_lock.h"
 #include "files/shared_file.h"
 #include "run/restart.h"
-#include "run/run_plan.h"
 #include "run/summary_figures.h"
 
 namespace repose {
@@ -38,12 +38,13 @@ class Group {
         const StopAsked& stop_asked)
       : comm_(comm), plan_(plan), counters_(counters), watch_(watch), stop_asked_(stop_asked) {}
 
-  /// Collective in the group. False when it was stopped before all runs were drawn.
-  bool work(std::span<const StudyRun> runs, std::span<const std::size_t> order) {
+  /// Collective in the group. `next`: the counter of the part. False when it was stopped before all its runs were
+  /// drawn.
+  bool work(std::span<const StudyRun> runs, std::span<const std::size_t> part, int next) {
     while (true) {
-      const std::int64_t drawn = draw();
-      if (drawn >= std::ssize(order)) return true;
-      const StudyRun& run = runs[order[static_cast<std::size_t>(drawn)]];
+      const std::int64_t drawn = draw(next);
+      if (drawn >= std::ssize(part)) return true;
+      const StudyRun& run = runs[part[static_cast<std::size_t>(drawn)]];
       if (!do_run(run)) return false;
       if (comm_.is_root()) counters_.add(finished_runs, 1);
       if (!is_as_meant(run)) return false;
@@ -53,8 +54,8 @@ class Group {
   const std::optional<Error>& complaint() const { return complaint_; }
 
  private:
-  std::int64_t draw() {
-    std::int64_t drawn = comm_.is_root() ? counters_.add(next_run, 1) : 0;
+  std::int64_t draw(int next) {
+    std::int64_t drawn = comm_.is_root() ? counters_.add(next, 1) : 0;
     comm_.broadcast(drawn);
     return drawn;
   }
@@ -129,51 +130,41 @@ class Group {
 };
 
 /// Particles times steps. What cannot be set up will say so when it is run.
-double planned_work(const CampaignPlan& plan, const StudyRun& run) {
-  const std::string& base = plan.bases[plan.base_of(run)];
+double planned_particle_steps(PlannedWork& work, const StudyRun& run) {
+  if (work.is_the_same_for_all()) return 1.0;
   try {
-    const Deck deck = read_deck(read_whole_file(base), base, run.overrides);
-    return most_particle_steps(deck, [&](const std::string& file) { return read_whole_file(path_beside(base, file)); });
+    return work(run).particle_steps();
   } catch (const Error&) {
     return 0.0;
   }
 }
 
-/// The same for many runs: alike for all of a base deck that differ in the laws of the contacts alone.
-class PlannedWork {
- public:
-  explicit PlannedWork(const CampaignPlan& plan) : plan_(plan), of_base_(plan.bases.size()) {
-    const std::vector<ParameterDeck>& parameters = plan.study.parameters;
-    const auto is_of_pair = [](const ParameterDeck& p) { return p.key.starts_with("pair."); };
-    alike_ = std::all_of(parameters.begin(), parameters.end(), is_of_pair);
-  }
-
-  double operator()(const StudyRun& run) {
-    if (!alike_) return planned_work(plan_, run);
-    if (plan_.bases.size() == 1) return 1.0;
-    std::optional<double>& known = of_base_[plan_.base_of(run)];
-    if (!known) known = planned_work(plan_, run);
-    return *known;
-  }
-
- private:
-  const CampaignPlan& plan_;
-  bool alike_ = false;
-  std::vector<std::optional<double>> of_base_;
-};
-
-/// Collective. The runs to do, the same on all ranks.
-std::vector<std::size_t> shared_order(const Communicator& world, const CampaignPlan& plan,
-                                      std::span<const StudyRun> runs) {
+/// Collective. The runs to do, the same on all ranks, in parts that want the same number of ranks.
+std::vector<std::vector<std::size_t>> shared_parts(const Communicator& world, const CampaignPlan& plan,
+                                                   std::span<const StudyRun> runs) {
   std::vector<std::size_t> order;
   agree_after_root(world, [&] {
     PlannedWork work(plan);
     order = longest_first(runs, read_run_folders(plan.directory, runs, plan.figures), plan.study.parameters,
-                          [&](const StudyRun& run) { return work(run); });
+                          [&](const StudyRun& run) { return planned_particle_steps(work, run); });
   });
   world.broadcast(order);
-  return order;
+  return by_ranks(order, runs);
 }
+
+/// What this rank has done of the parts.
+struct PartsWork {
+  double busy_seconds = 0.0;
+  bool complete = true;
+  std::optional<Error> complaint;
+
+  void add(Group& group, std::span<const StudyRun> runs, std::span<const std::size_t> part, int next) {
+    const WallClock::time_point start = WallClock::now();
+    complete = group.work(runs, part, next);
+    complaint = group.complaint();
+    busy_seconds += seconds_since(start);
+  }
+};
 
 /// Collective. Waits for the others without using a core; rank 0 goes on looking after the whole.
 void wait_for_all(const Communicator& world, CampaignWatch* watch) {
@@ -227,6 +218,7 @@ void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
         if (figure.experiment == run.experiment) require_figure(deck, figure.key);
       }
     }
+    if (plan.directory.empty()) continue;
     const std::string folder = folder_of(plan.directory, run);
     const std::string before = folder + "/deck.resolved.toml";
     if (!std::filesystem::exists(before)) continue;
@@ -241,34 +233,37 @@ std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPla
     create_output_directory(plan.directory);
     lock.emplace(plan.directory);
   });
-  const std::vector<std::size_t> order = shared_order(world, plan, runs);
-  const int groups = group_count(world.size(), plan.study.ranks_per_run, std::ssize(order));
-  const Communicator comm(world, group_of(world.rank(), world.size(), groups));
-  SharedCounters counters(world, campaign_counters);
+  const std::vector<std::vector<std::size_t>> parts = shared_parts(world, plan, runs);
+  SharedCounters counters(world, next_of_part + static_cast<int>(parts.size()));
   std::optional<CampaignWatch> watch;
-  if (world.is_root()) watch.emplace(plan, runs, order, counters);
+  if (world.is_root()) watch.emplace(plan, runs, parts, counters);
   CampaignWatch* const my_watch = watch ? &*watch : nullptr;
 
   const WallClock::time_point start = WallClock::now();
-  Group group(comm, plan, counters, my_watch, stop_asked);
-  const bool complete = group.work(runs, order);
-  const double busy = seconds_since(start);
-  wait_for_all(world, my_watch);
+  PartsWork work;
+  for (std::size_t p = 0; work.complete && p < parts.size(); ++p) {
+    const int groups = group_count(world.size(), runs[parts[p].front()].ranks, std::ssize(parts[p]));
+    const Communicator comm(world, group_of(world.rank(), world.size(), groups));
+    Group group(comm, plan, counters, my_watch, stop_asked);
+    work.add(group, runs, parts[p], next_of_part + static_cast<int>(p));
+    wait_for_all(world, my_watch);
+    work.complete = world.min(work.complete ? 1 : 0) == 1;
+    effort.groups = std::max(effort.groups, groups);
+  }
   effort.wall_seconds = world.max(seconds_since(start));
-  effort.idle_share = order.empty() ? 0.0 : 1.0 - world.sum(busy) / (effort.wall_seconds * world.size());
+  effort.idle_share = parts.empty() ? 0.0 : 1.0 - world.sum(work.busy_seconds) / (effort.wall_seconds * world.size());
   effort.runs = world.sum(world.is_root() ? counters.read(finished_runs) : 0);
-  effort.groups = groups;
-  if (world.min(complete ? 1 : 0) == 1) {
+  if (work.complete) {
     std::vector<RunRecord> records;
     agree_after_root(world, [&] { records = watch->write_tables(); });
     return records;
   }
   agree_after_root(world, [&] { watch->write_tables(); });
   agree_after(world, [&] {
-    if (group.complaint()) throw *group.complaint();
+    if (work.complaint) throw *work.complaint;
   });
   throw Stopped(fmt::format("stopped with {} of {} runs complete; the same command goes on from there",
-                            std::ssize(runs) - std::ssize(order) + effort.runs, runs.size()));
+                            std::ssize(runs) - run_count(parts) + effort.runs, runs.size()));
 }
 
 }  // namespace repose

@@ -57,7 +57,7 @@ void write_campaign_table(const CampaignPlan& plan, const std::vector<std::strin
                           std::span<const StudyRun> runs, std::span<const RunRecord> records);
 
 /// DeckError when a run's deck is wrong, one of the figures is not measured, or the directory holds results of another
-/// base deck. For rank 0.
+/// base deck; without a directory the decks alone are checked. For rank 0.
 void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs);
 
 /// Collective. Does the runs that are not complete, on groups of ranks which draw one after the other, each in a folder

@@ -9,15 +9,16 @@
 
 namespace repose {
 
-/// The counters that the groups of a campaign share.
-enum CampaignCounter { next_run, finished_runs, failed_runs, stop_wanted, campaign_counters };
+/// The counters that the groups of a campaign share; from `next_of_part` on there is one for each part, which counts
+/// what is drawn of its runs.
+enum CampaignCounter { finished_runs, failed_runs, stop_wanted, next_of_part };
 
 /// Rank 0 looks after the whole while it works on a run of its own: progress lines and the tables.
 class CampaignWatch {
  public:
-  /// `order`: the runs that are drawn, one after the other. Refers to its arguments.
-  CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs, std::span<const std::size_t> order,
-                SharedCounters& counters);
+  /// `parts`: the runs that are drawn, part after part. Refers to its arguments.
+  CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs,
+                std::span<const std::vector<std::size_t>> parts, SharedCounters& counters);
 
   /// A progress line and new tables when runs have ended since the last, at most every few seconds; the report, if
   /// there is to be one.
@@ -27,11 +28,13 @@ class CampaignWatch {
 
  private:
   void look_at_runs();
+  std::vector<std::size_t> drawn_runs() const;
   std::string progress(std::int64_t finished, std::int64_t failed, std::int64_t drawn) const;
 
   const CampaignPlan& plan_;
   std::span<const StudyRun> runs_;
-  std::span<const std::size_t> order_;
+  std::span<const std::vector<std::size_t>> parts_;
+  std::int64_t to_do_;  ///< runs in all parts
   SharedCounters& counters_;
   WallClock::time_point start_ = WallClock::now();
   WallClock::time_point last_look_ = start_;

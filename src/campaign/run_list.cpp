@@ -24,6 +24,7 @@ StudyRun run_at(const StudyDeck& study, const std::vector<double>& values, std::
   }
   run.name += fmt::format("seed={}", seed);
   run.overrides.push_back(fmt::format("run.seed={}", seed));
+  run.ranks = study.ranks_per_run;
   return run;
 }
 

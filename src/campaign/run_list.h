@@ -15,6 +15,7 @@ struct StudyRun {
   std::vector<std::string> overrides;  ///< of the base deck
   std::size_t level = 0;               ///< of the model
   std::size_t experiment = 0;
+  std::int64_t ranks = 1;  ///< that work on it, at least
 };
 
 /// All seeds at each point, point after point. A point that stands there again gets the next seeds.

@@ -44,18 +44,6 @@ void broadcast(const Communicator& world, Points& points, std::size_t parameters
   }
 }
 
-Points first_design(const CalibrationDeck& deck, const std::vector<ParameterRange>& ranges) {
-  constexpr std::uint64_t design_seed = 1;
-  Points points;
-  for (std::size_t level = 0; level < deck.level_count(); ++level) {
-    const auto count = static_cast<std::size_t>(start_of_level(deck, level));
-    for (std::vector<double>& values : start_design(ranges, count, design_seed)) {
-      points.push_back({level, std::move(values)});
-    }
-  }
-  return rounded(std::move(points));
-}
-
 /// What the next batch may be, after these runs.
 BatchPlan batch_after(const CalibrationDeck& deck, const DoneRuns& done, std::size_t points) {
   const AdaptiveDeck& a = deck.adaptive;
@@ -106,9 +94,21 @@ double core_hours(const CalibrationDeck& deck, std::span<const RunRecord> record
   return sum / (deck.adaptive.core_speed * seconds_per_hour);
 }
 
-DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
+std::vector<LevelPoint> first_design(const CalibrationDeck& deck) {
+  constexpr std::uint64_t design_seed = 1;
   const std::vector<ParameterRange> ranges = ranges_of(deck.study);
-  Points points = first_design(deck, ranges);
+  Points points;
+  for (std::size_t level = 0; level < deck.level_count(); ++level) {
+    const auto count = static_cast<std::size_t>(start_of_level(deck, level));
+    for (std::vector<double>& values : start_design(ranges, count, design_seed)) {
+      points.push_back({level, std::move(values)});
+    }
+  }
+  return rounded(std::move(points));
+}
+
+DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
+  Points points = first_design(deck);
   std::string history = "points,runs,core_hours,half_width\n";
   int narrow = 0;
   while (true) {
@@ -126,7 +126,7 @@ DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
       if (narrow >= 2 || batch.points == 0) return;
       more = rounded(next_level_points(misfit, now, batch));
     });
-    broadcast(work.world(), more, ranges.size());
+    broadcast(work.world(), more, deck.study.parameters.size());
     if (more.empty()) return done;
     points.insert(points.end(), more.begin(), more.end());
   }

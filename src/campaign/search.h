@@ -9,6 +9,9 @@ namespace repose {
 /// same reason. Ends when two estimates in a row are narrow enough, or at the budget.
 DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work);
 
+/// The points that a search starts from, at every level.
+std::vector<LevelPoint> first_design(const CalibrationDeck& deck);
+
 /// Core-hours of runs that are complete, at the deck's speed of a core.
 double core_hours(const CalibrationDeck& deck, std::span<const RunRecord> records);
 

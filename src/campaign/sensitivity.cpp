@@ -10,12 +10,14 @@
 #include "calibration/one_at_a_time.h"
 #include "campaign/campaign.h"
 #include "campaign/observables.h"
+#include "campaign/planned_work.h"
 #include "comm/agreement.h"
 #include "deck/sensitivity_deck.h"
 #include "files/atomic_file.h"
 #include "files/directory.h"
 #include "files/json_text.h"
 #include "files/shared_file.h"
+#include "run/run_plan.h"
 
 namespace repose {
 namespace {
@@ -120,6 +122,12 @@ struct Design {
   std::vector<std::size_t> steps;  ///< in `all`: of the walks
 };
 
+CampaignPlan plan_of_figures(const SensitivityDeck& deck, const std::string& text, const RunRequest& request) {
+  std::vector<RunFigure> figures;
+  for (const std::string& figure : deck.figures) figures.push_back({figure, figure});
+  return plan_of(deck.study, figures, text, request);
+}
+
 struct Effects {
   std::string json;
   std::string text;
@@ -149,12 +157,23 @@ Effects effects_of(const SensitivityDeck& deck, const Design& design, std::span<
 
 }  // namespace
 
+std::string check_sensitivity(const Communicator& world, const RunRequest& request) {
+  const std::string text = read_shared_file(world, request.deck);
+  const SensitivityDeck deck = read_sensitivity_deck(text, request.deck);
+  const CampaignPlan plan = plan_of_figures(deck, text, request);
+  std::string report;
+  agree_after_root(world, [&] {
+    const std::vector<StudyRun> runs = runs_at(plan.study, Design(deck).all);
+    check_campaign(plan, runs);
+    report = planned_work_text(plan, runs, usual_core_speed, world.size());
+  });
+  return report;
+}
+
 std::string sensitivity_file(const Communicator& world, const RunRequest& request, const StopAsked& stop_asked) {
   const std::string text = read_shared_file(world, request.deck);
   const SensitivityDeck deck = read_sensitivity_deck(text, request.deck);
-  std::vector<RunFigure> figures;
-  for (const std::string& figure : deck.figures) figures.push_back({figure, figure});
-  const CampaignPlan plan = plan_of(deck.study, figures, text, request);
+  const CampaignPlan plan = plan_of_figures(deck, text, request);
   const Design design(deck);
   const std::vector<StudyRun> runs = runs_at(plan.study, design.all);
   agree_after_root(world, [&] {

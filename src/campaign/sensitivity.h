@@ -13,4 +13,7 @@ namespace repose {
 /// calibrate_file otherwise.
 std::string sensitivity_file(const Communicator& world, const RunRequest& request, const StopAsked& stop_asked);
 
+/// Collective. What it would run, as check_calibration says it.
+std::string check_sensitivity(const Communicator& world, const RunRequest& request);
+
 }  // namespace repose

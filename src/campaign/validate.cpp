@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "campaign/planned_work.h"
 #include "comm/agreement.h"
 #include "deck/validation_deck.h"
 #include "files/atomic_file.h"
@@ -15,6 +16,7 @@
 #include "files/json_text.h"
 #include "files/shared_file.h"
 #include "output/summary.h"
+#include "run/run_plan.h"
 #include "run/summary_figures.h"
 
 namespace repose {
@@ -90,13 +92,18 @@ std::string table_of(const ValidationDeck& deck, const Json& cases) {
   return text;
 }
 
+std::vector<std::string> overrides_of(const ValidationCaseDeck& one, const RunRequest& request) {
+  std::vector<std::string> overrides = one.set;
+  overrides.insert(overrides.end(), request.overrides.begin(), request.overrides.end());
+  return overrides;
+}
+
 /// Runs the case, unless that is done already, and compares.
 Json run_case(const Communicator& comm, const ValidationCaseDeck& one, const RunRequest& request,
               const StopAsked& stop_asked) {
   RunRequest run = request;
   run.deck = path_beside(request.deck, one.deck);
-  run.overrides = one.set;
-  run.overrides.insert(run.overrides.end(), request.overrides.begin(), request.overrides.end());
+  run.overrides = overrides_of(one, request);
   run.output = fmt::format("{}/{}", request.output, one.name);
   run.restart = true;
   if (comm.is_root()) request.log.say("case " + one.name);
@@ -152,6 +159,28 @@ std::string validate_file(const Communicator& comm, const RunRequest& request, c
     write_text_file(request.output + "/validation.md", table);
   });
   return table;
+}
+
+std::string check_validation(const Communicator& comm, const RunRequest& request) {
+  const ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
+  CampaignPlan plan;
+  std::vector<StudyRun> runs;
+  for (std::size_t i = 0; i < deck.cases.size(); ++i) {
+    const ValidationCaseDeck& one = deck.cases[i];
+    plan.bases.push_back(path_beside(request.deck, one.deck));
+    plan.experiments.push_back(one.name);
+    for (const ComparisonDeck& c : one.comparisons) plan.figures.push_back({c.figure, c.figure, i});
+    runs.emplace_back();
+    runs.back().name = one.name;
+    runs.back().overrides = overrides_of(one, request);
+    runs.back().experiment = i;
+  }
+  std::string report;
+  agree_after_root(comm, [&] {
+    check_campaign(plan, runs);
+    report = planned_work_text(plan, runs, usual_core_speed, comm.size());
+  });
+  return report;
 }
 
 }  // namespace repose

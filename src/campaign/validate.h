@@ -14,4 +14,7 @@ namespace repose {
 std::string validate_file(const Communicator& comm, const RunRequest& request, const std::vector<std::string>& only,
                           const StopAsked& stop_asked);
 
+/// Collective. What all its cases would run, as check_calibration says it.
+std::string check_validation(const Communicator& comm, const RunRequest& request);
+
 }  // namespace repose

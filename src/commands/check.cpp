@@ -1,6 +1,10 @@
 #include <fmt/core.h>
 
+#include "campaign/calibrate.h"
+#include "campaign/sensitivity.h"
+#include "campaign/validate.h"
 #include "commands/command.h"
+#include "deck/deck_kind.h"
 #include "deck/read_deck.h"
 #include "files/shared_file.h"
 #include "integration/time_step.h"
@@ -12,10 +16,9 @@
 namespace repose {
 namespace {
 
-// Rough figures for the estimates: what the quick and the mini discharge took on one core of 2021.
+// Rough figures for the estimates.
 constexpr double bytes_per_particle = 1000.0;
 constexpr double bytes_per_rank = 60e6;  // the program and its libraries
-constexpr double particle_steps_per_second_and_rank = 8e6;
 
 std::string limits_text(const Deck& deck, const TimeStep& dt) {
   if (deck.contact.normal_law == NormalLaw::hooke) {
@@ -58,8 +61,7 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   report += fmt::format("steps       {:.0f}\n", steps);
   report += fmt::format("memory      about {:.0f} MB\n", 1e-6 * (count * bytes_per_particle + ranks * bytes_per_rank));
   report += fmt::format("wall time   about {} on {} rank{}, if every phase takes its longest\n",
-                        duration_text(count * steps / (particle_steps_per_second_and_rank * ranks)), ranks,
-                        ranks == 1 ? "" : "s");
+                        duration_text(count * steps / (usual_core_speed * ranks)), ranks, ranks == 1 ? "" : "s");
   return report;
 }
 
@@ -67,13 +69,27 @@ class Check : public Command {
  public:
   void declare(Options& options) override { declare_deck(options, deck_, overrides_); }
 
-  void carry_out(Process& process) override {
-    const Communicator& comm = process.ranks();
-    const Deck deck = read_deck(read_shared_file(comm, deck_), deck_, overrides_);
-    process.say(check_report(deck, reader_beside(comm, deck_), comm.size()));
-  }
+  void carry_out(Process& process) override { process.say(report(process.ranks())); }
 
  private:
+  std::string report(const Communicator& comm) const {
+    const std::string text = read_shared_file(comm, deck_);
+    RunRequest request{};
+    request.deck = deck_;
+    request.overrides = overrides_;
+    switch (kind_of_deck(text, deck_)) {
+      case DeckKind::calibration:
+        return check_calibration(comm, request);
+      case DeckKind::sensitivity:
+        return check_sensitivity(comm, request);
+      case DeckKind::validation:
+        return check_validation(comm, request);
+      case DeckKind::run:
+        break;
+    }
+    return check_report(read_deck(text, deck_, overrides_), reader_beside(comm, deck_), comm.size());
+  }
+
   std::string deck_;
   std::vector<std::string> overrides_;
 };

@@ -32,7 +32,7 @@ const std::vector<CommandEntry>& command_entries() {
   constexpr auto ranks = Process::Need::ranks;
   static const std::vector<CommandEntry> entries = {
       {"run", "simulate the test that a deck describes", run_command, ranks},
-      {"check", "resolve a deck and print what a run would take", check_command},
+      {"check", "resolve a deck, or those of a study, and print what the runs would take", check_command},
       {"measure", "measure the pile of a finished run, or a list of grains, again", measure_command},
       {"info", "what is in a snapshot, a checkpoint or the grid of a calibration", info_command},
       {"export", "write the grains of a snapshot for other programs", export_command},

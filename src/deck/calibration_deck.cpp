@@ -55,6 +55,8 @@ void describe(V& v, LevelDeck& l) {
   v("base", l.base, Unit::none, any_value, optional_else("that of the file"), "deck to run, relative to this file");
   v("set", l.set, Unit::none, any_value, optional, "keys of its deck to replace, after those of the file");
   v("seeds", l.seeds, Unit::none, at_least(1), optional_else("those of the file"), "runs at each of its points");
+  v("ranks_per_run", l.ranks_per_run, Unit::none, at_least(1), optional_else("that of the file"),
+    "ranks that work on one run");
   v("start", l.start, Unit::none, at_least(4), optional_else("that of [adaptive]"), "points of its first design");
 }
 
@@ -302,6 +304,7 @@ StudyDeck study_of_level(const CalibrationDeck& deck, std::size_t level, std::si
   if (!deck.experiments.empty()) change(deck.experiments.at(experiment));
   if (deck.levels.empty()) return study;
   change(deck.levels.at(level));
+  if (deck.levels[level].ranks_per_run > 0) study.ranks_per_run = deck.levels[level].ranks_per_run;
   if (deck.experiments.empty()) return study;
   for (const ExperimentLevelDeck& own : deck.experiments[experiment].levels) {
     if (own.name == deck.levels[level].name) change(own);

@@ -63,10 +63,11 @@ struct AdaptiveDeck {
 /// A level of the model: the same test made cheaper, or the one that counts, which is the last.
 struct LevelDeck {
   std::string name;
-  std::string base;              ///< path of the deck; empty: that of the study
-  std::vector<std::string> set;  ///< after those of the study
-  std::int64_t seeds = 0;        ///< at each point; 0: as the study
-  std::int64_t start = 0;        ///< points of the first design; 0: as [adaptive]
+  std::string base;                ///< path of the deck; empty: that of the study
+  std::vector<std::string> set;    ///< after those of the study
+  std::int64_t seeds = 0;          ///< at each point; 0: as the study
+  std::int64_t ranks_per_run = 0;  ///< 0: as the study
+  std::int64_t start = 0;          ///< points of the first design; 0: as [adaptive]
 };
 
 /// What an experiment changes at a level of the model.

@@ -4,8 +4,9 @@
 
 #include "base/error.h"
 #include "deck/check_deck.h"
-#include "deck/read_described.h"
 #include "deck/deck.h"
+#include "deck/deck_kind.h"
+#include "deck/read_described.h"
 
 namespace repose {
 namespace {
@@ -52,6 +53,7 @@ void resolve_defaults(Deck& deck) {
 }  // namespace
 
 Deck read_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  require_run_deck(text, path);
   return read_described<Deck>(text, path, overrides, [](Deck& deck, DeckErrors& errors) {
     resolve_defaults(deck);
     check_deck(deck, errors);

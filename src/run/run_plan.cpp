@@ -21,9 +21,4 @@ double most_steps(const Deck& deck, const TimeStep& dt) {
   return steps;
 }
 
-double most_particle_steps(const Deck& deck, const ReadFile& read_file) {
-  const RunPlan plan(deck, read_file);
-  return static_cast<double>(plan.insertion.planned) * most_steps(deck, plan.dt);
-}
-
 }  // namespace repose

@@ -20,10 +20,11 @@ struct RunPlan {
   TimeStep dt;
 };
 
+/// Particle-steps a second and core for estimates: roughly what the quick and the mini discharge took on one core of
+/// 2021.
+constexpr double usual_core_speed = 8e6;
+
 /// Steps of a run whose every phase takes its longest.
 double most_steps(const Deck& deck, const TimeStep& dt);
-
-/// Particles times these steps. DeckError as for a run.
-double most_particle_steps(const Deck& deck, const ReadFile& read_file);
 
 }  // namespace repose

@@ -329,7 +329,8 @@ class Calibrate(FolderTest):
         """A search over two levels of few grains."""
         text = (SLIDING + "min = 0.1\nmax = 0.7\n" + RESTITUTION + "min = 0.2\nmax = 0.8\n" + MASS + RATE +
                 'discrepancy_share = 0.1\n[[level]]\nname = "small"\nset = ["particles.0.mass=0.02 g"]\nstart = 6\n'
-                '[[level]]\nname = "large"\n[adaptive]\nstart = 4\nbatch = 2\nbudget_core_hours = BUDGET\nhalf_width = 0.01\n')
+                '[[level]]\nname = "large"\nranks_per_run = 2\n'
+                '[adaptive]\nstart = 4\nbatch = 2\nbudget_core_hours = BUDGET\nhalf_width = 0.01\n')
         return self.write(text.replace("BUDGET", extra or "0.0027"))
 
     def test_a_search_over_levels_depends_on_nothing_but_its_runs(self):
@@ -349,13 +350,16 @@ class Calibrate(FolderTest):
         self.assertEqual([level["runs"] for level in found["levels"]], [counts["small"], counts["large"]])
         self.assertEqual(found["observables"][0]["links"][0]["below"], "small")
         self.assertIn("verdict", found["without_discrepancy"])
+        ranks = {"small": set(), "large": set()}
         for row in rows:
-            folder = os.path.join(outputs[0], "runs", row["level"], f"sliding={row['sliding']},restitution="
-                                  f"{row['restitution']},seed={row['seed']}")
-            with open(os.path.join(folder, "summary.json")) as file:
-                summary = json.load(file)
-            self.assertEqual(summary["discharged_mass_kg"], float(row["discharged_mass_kg"]))
-            self.assertIn("mass = 2e-05" if row["level"] == "small" else "mass = 3e-05", summary["deck"])
+            folder = os.path.join("runs", row["level"], f"sliding={row['sliding']},restitution={row['restitution']},"
+                                  f"seed={row['seed']}")
+            one, three = (json.loads(self.read(os.path.join(folder, "summary.json"), output)) for output in outputs)
+            self.assertEqual(one["discharged_mass_kg"], float(row["discharged_mass_kg"]))
+            self.assertIn("mass = 2e-05" if row["level"] == "small" else "mass = 3e-05", one["deck"])
+            ranks[row["level"]].add(three["ranks"])
+        self.assertEqual(ranks["large"], {3})
+        self.assertIn(1, ranks["small"])  # 2 of the 3 ranks where a batch has no more than two
         says = self.program.call("info", os.path.join(outputs[0], "grid.h5"))
         self.assertEqual(says.returncode, 0, says.stderr)
         self.assertIn(f"small {counts['small']}", says.stdout)

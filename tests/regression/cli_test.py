@@ -39,6 +39,25 @@ class CommandLine(FolderTest):
         self.assertIn("156044", done.stdout)
         self.assertIn("criterion", done.stdout)
 
+    def test_check_tells_what_a_study_takes(self):
+        says = self.program.call("check", self.program.deck("calibrate_carbohsp_levels.toml")).stdout
+        self.assertRegex(says, r"less: 28 at 14 points, each 46\d{3} particles, at most \d+ steps")
+        self.assertRegex(says, r"full: 5 at 5 points, each 156044 particles, at most 2060927 steps")
+        self.assertRegex(says, r"core-hours +about \d+ at 8e\+06")
+        self.assertIn("then 2 points at a time until the region is narrow, at most 80 core-hours in all", says)
+        says = self.program.call("check", self.program.deck("calibrate_quick.toml"), ranks=2).stdout
+        self.assertRegex(says, r"runs +18 at 9 points, each 2497 particles, at most \d+ steps")
+        self.assertIn("on 2 ranks", says)
+        says = self.program.call("check", self.program.deck("sensitivity_carbohsp.toml")).stdout
+        self.assertRegex(says, r"runs +144 at 48 points, each 156044 particles, at most 2060927 steps")
+        says = self.program.call("check", self.program.deck("validation.toml")).stdout
+        self.assertRegex(says, r"carbohsp_mono: 156044 particles, at most 2060927 steps")
+        self.assertRegex(says, r"sand_multi: 71270 particles")
+        self.fails(2, "no_such_key", "check", self.program.deck("calibrate_quick.toml"), "--set", "pair.0.no_such_key=1")
+        self.fails(2, "calibrate_quick.toml: .*repose calibrate", "run", self.program.deck("calibrate_quick.toml"),
+                   "--output", self.path("out"))
+        self.assertFalse(os.path.exists(self.path("out")))
+
     def test_wrong_command_line_is_2(self):
         self.fails(2, "output", "run", self.quick)
         self.fails(2, "frobnicate", "frobnicate")

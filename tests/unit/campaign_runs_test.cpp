@@ -67,6 +67,18 @@ TEST(RunList, FoldersTellTheirRuns) {
   std::filesystem::remove_all(folder);
 }
 
+using Order = std::vector<std::size_t>;
+
+TEST(RankGroups, RunsThatWantFewRanksComeFirst) {
+  StudyDeck wide = study();
+  wide.ranks_per_run = 4;
+  std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}});
+  for (const StudyRun& run : runs_at(wide, {{0.5, 0.2}})) runs.push_back(run);
+  EXPECT_EQ(by_ranks(Order{3, 1, 2, 0}, runs), (std::vector<Order>{{1, 0}, {3, 2}}));
+  EXPECT_TRUE(by_ranks(Order{}, runs).empty());
+  EXPECT_EQ(run_count(by_ranks(Order{3, 1, 2, 0}, runs)), 4);
+}
+
 TEST(RankGroups, AsManyAsThereIsWorkFor) {
   EXPECT_EQ(group_count(8, 1, 100), 8);
   EXPECT_EQ(group_count(8, 3, 100), 2);
@@ -86,8 +98,6 @@ TEST(RankGroups, SuccessiveRanksEvenly) {
   }
   for (const int size : sizes) EXPECT_TRUE(size == 2 || size == 3);
 }
-
-using Order = std::vector<std::size_t>;
 
 TEST(ExpectedCost, ByWorkUntilMoreIsKnown) {
   const std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}, {0.5, 0.2}, {0.9, 0.2}});

@@ -12,6 +12,7 @@ import bulk_density
 import calibrations
 import clogging
 import contours
+import little_friction
 import orifice
 import planes
 import sand_layer
@@ -91,26 +92,33 @@ def funnel(options):
     write(options, "funnel", summaries, rows)
 
 
+# Cases of `sizes`: name of its results and overrides of the friction between the grains
+FRICTIONS = {"calibrated": ("sizes", []),
+             "little": ("sizes_little_friction", ["pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.1"])}
+
+
 def sizes(options):
     """1.5 g of CarboHSP from a cylinder of 6 mm: of one size (the thesis's, which stands for what it leaves out, and that of the
-    mean volume of the distribution) and of its distribution, each with its calibrated friction."""
+    mean volume of the distribution) and of its distribution, each with its calibrated friction; and with little of it."""
     small = vessel("1.5 g", flat_floor(0.006, 0.051), 0.07)
     decks = {"one_440": ("carbohsp_mono.toml", [*small, "particles.0.spacing=770 um"]),
              "one_368": ("carbohsp_mono.toml", [*small, "particles.0.spacing=644 um", "particles.0.diameter=368 um"]),
              "many": ("carbohsp_multi.toml", small)}
-    runs = {}
-    for name, (deck, sets) in decks.items():
-        runs |= with_seeds(f"sizes_{name}", deck, sets, options.seeds)
-    summaries = Bench(options).run_all(runs)
-    rows = [{"sizes": name, "grains": summaries[f"sizes_{name}_1"]["particles"]["inserted"],
-             **row_of(spreads(summaries, f"sizes_{name}", options.seeds, DISCHARGE))} for name in decks]
-    save_means(options, "sizes", summaries, rows)
+    for case in options.cases or FRICTIONS:
+        study, friction = FRICTIONS[case]
+        runs = {}
+        for name, (deck, sets) in decks.items():
+            runs |= with_seeds(f"{study}_{name}", deck, [*sets, *friction], options.seeds)
+        summaries = Bench(options).run_all(runs)
+        rows = [{"sizes": name, "grains": summaries[f"{study}_{name}_1"]["particles"]["inserted"],
+                 **row_of(spreads(summaries, f"{study}_{name}", options.seeds, DISCHARGE))} for name in decks]
+        save_means(options, study, summaries, rows)
 
 
 STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study,
            "contours": contours.study, "calibrations": calibrations.study, "sensitivity": sensitivity.study,
            "orifice": orifice.study, "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study,
-           "wall_friction": wall_friction.study}
+           "wall_friction": wall_friction.study, "little_friction": little_friction.study}
 
 
 def main():
@@ -120,9 +128,9 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "validation")
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "validation")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time, one rank each")
-    parser.add_argument("--ranks", type=int, default=2, help="of a case of full size, of contours and of calibrations")
-    parser.add_argument("--cases", nargs="+", help="of full size, of contours or of calibrations; default: all")
-    parser.add_argument("--time-limit", help="of a case of full size, of contours or of a calibration: HH:MM:SS")
+    parser.add_argument("--ranks", type=int, default=2, help="of runs at full size, of contours and of calibrations")
+    parser.add_argument("--cases", nargs="+", help="of full size, of sizes, of contours or of calibrations; default: all")
+    parser.add_argument("--time-limit", help="of a run at full size, of contours or of a calibration: HH:MM:SS")
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.11, 12.0], help="of the funnel, mm")
     options = parser.parse_args()

@@ -11,7 +11,6 @@ namespace repose {
 
 Replicates transformed_runs(const std::string& name, Transform transform, const Matrix& points,
                             std::span<const double> values) {
-  constexpr Index least_points = 4;
   std::vector<double> scaled(values.begin(), values.end());
   for (double& value : scaled) {
     if (std::isnan(value)) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -8,8 +9,10 @@
 
 namespace repose {
 
+constexpr std::ptrdiff_t least_points = 4;  ///< that a surface takes
+
 /// The runs of an observable on the scale of its transform. A row of `points` per run in units of the box; `values` are
-/// in the observable's own units, NaN: the run has none. DeckError when fewer than four points have a value, or one
+/// in the observable's own units, NaN: the run has none. DeckError when fewer than least_points have a value, or one
 /// that the transform does not take.
 Replicates transformed_runs(const std::string& name, Transform transform, const Matrix& points,
                             std::span<const double> values);

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "calibration/posterior_estimate.h"
+#include "calibration/standard_runs.h"
 #include "campaign/calibration_work.h"
 #include "campaign/curve_observables.h"
 #include "campaign/estimate_report.h"
@@ -46,6 +47,10 @@ void check_counts(const CalibrationDeck& deck, const std::string& path) {
   if (parameters > most_parameters) {
     throw DeckError(
         fmt::format("{}: {} parameters; at most {} can be estimated together", path, parameters, most_parameters));
+  }
+  const std::vector<std::vector<double>> points = points_of(deck);
+  if (!deck.adaptive.enabled && std::ssize(points) < least_points) {
+    throw DeckError(fmt::format("{}: {} points; a surface needs {} or more", path, points.size(), least_points));
   }
   std::int64_t observables = 0;
   for (const ObservableDeck& o : deck.observables) observables += o.is_curve() ? o.components : 1;
@@ -97,8 +102,8 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
     create_output_directory(request.output);
     write_text_file(request.output + deck_file, text);
     for (const ObservableDeck& o : deck.observables) {
-      if (o.is_curve())
-        write_text_file(request.output + "/" + curve_copy(o), read_whole_file(path_beside(request.deck, o.curve)));
+      if (!o.is_curve()) continue;
+      write_text_file(request.output + "/" + curve_copy(o), read_whole_file(path_beside(request.deck, o.curve)));
     }
     if (!report_file.empty()) live.emplace(request.output, report_file, request.log);
   });

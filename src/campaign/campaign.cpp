@@ -141,10 +141,9 @@ double planned_particle_steps(PlannedWork& work, const StudyRun& run) {
 
 /// Collective. The runs to do, the same on all ranks, in parts that want the same number of ranks.
 std::vector<std::vector<std::size_t>> shared_parts(const Communicator& world, const CampaignPlan& plan,
-                                                   std::span<const StudyRun> runs) {
+                                                   std::span<const StudyRun> runs, PlannedWork& work) {
   std::vector<std::size_t> order;
   agree_after_root(world, [&] {
-    PlannedWork work(plan);
     order = longest_first(runs, read_run_folders(plan.directory, runs, plan.figures), plan.study.parameters,
                           [&](const StudyRun& run) { return planned_particle_steps(work, run); });
   });
@@ -233,10 +232,14 @@ std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPla
     create_output_directory(plan.directory);
     lock.emplace(plan.directory);
   });
-  const std::vector<std::vector<std::size_t>> parts = shared_parts(world, plan, runs);
+  PlannedWork planned(plan);
+  const std::vector<std::vector<std::size_t>> parts = shared_parts(world, plan, runs, planned);
   SharedCounters counters(world, next_of_part + static_cast<int>(parts.size()));
   std::optional<CampaignWatch> watch;
-  if (world.is_root()) watch.emplace(plan, runs, parts, counters);
+  if (world.is_root()) {
+    watch.emplace(plan, runs, parts, counters,
+                  [&](const StudyRun& run) { return planned_particle_steps(planned, run); });
+  }
   CampaignWatch* const my_watch = watch ? &*watch : nullptr;
 
   const WallClock::time_point start = WallClock::now();

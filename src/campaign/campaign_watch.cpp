@@ -1,6 +1,7 @@
 #include "campaign/campaign_watch.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -10,8 +11,13 @@
 namespace repose {
 
 CampaignWatch::CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs,
-                             std::span<const std::vector<std::size_t>> parts, SharedCounters& counters)
-    : plan_(plan), runs_(runs), parts_(parts), to_do_(run_count(parts)), counters_(counters) {}
+                             std::span<const std::vector<std::size_t>> parts, SharedCounters& counters, WorkOf work_of)
+    : plan_(plan),
+      runs_(runs),
+      parts_(parts),
+      to_do_(run_count(parts)),
+      counters_(counters),
+      work_of_(std::move(work_of)) {}
 
 void CampaignWatch::look() {
   constexpr double patience = 2.0;  // s
@@ -26,12 +32,13 @@ void CampaignWatch::look_at_runs() {
   const std::int64_t finished = counters_.read(finished_runs);
   if (finished == last_finished_) return;
   last_finished_ = finished;
-  plan_.log.say(progress(finished, counters_.read(failed_runs), std::ssize(drawn_runs())));
+  std::string left;
   try {
-    write_tables();
+    left = left_text(write_tables());
   } catch (const FileError& error) {  // in the midst of a run: the tables of the end are made without it
     plan_.log.warn(error.what());
   }
+  plan_.log.say(progress(left));
 }
 
 std::vector<std::size_t> CampaignWatch::drawn_runs() const {
@@ -44,15 +51,24 @@ std::vector<std::size_t> CampaignWatch::drawn_runs() const {
   return drawn;
 }
 
-std::string CampaignWatch::progress(std::int64_t finished, std::int64_t failed, std::int64_t drawn) const {
-  const std::int64_t before = std::ssize(runs_) - to_do_;
-  std::string text = fmt::format("runs {} of {} done, {} running, {} failed", before + finished - failed, runs_.size(),
-                                 drawn - finished, failed);
-  if (finished > 0) {
-    const double each = seconds_since(start_) / static_cast<double>(finished);
-    text += fmt::format(", {} left", duration_text(each * static_cast<double>(to_do_ - finished)));
+std::string CampaignWatch::progress(const std::string& left) const {
+  const std::int64_t finished = counters_.read(finished_runs);
+  const std::int64_t failed = counters_.read(failed_runs);
+  const std::int64_t done = std::ssize(runs_) - to_do_ + finished - failed;
+  return fmt::format("runs {} of {} done, {} running, {} failed{}", done, runs_.size(),
+                     std::ssize(drawn_runs()) - finished, failed, left);
+}
+
+std::string CampaignWatch::left_text(std::span<const RunRecord> records) const {
+  double done = 0.0;
+  double left = 0.0;
+  for (const std::vector<std::size_t>& part : parts_) {
+    for (const std::size_t run : part) {
+      const bool has_ended = records[run].state != RunState::waiting && records[run].state != RunState::running;
+      (has_ended ? done : left) += work_of_(runs_[run]);
+    }
   }
-  return text;
+  return done > 0.0 ? fmt::format(", {} left", duration_text(seconds_since(start_) * left / done)) : "";
 }
 
 std::vector<RunRecord> CampaignWatch::write_tables() {

@@ -5,6 +5,7 @@
 
 #include "base/wall_clock.h"
 #include "campaign/campaign.h"
+#include "campaign/expected_cost.h"
 #include "comm/shared_counters.h"
 
 namespace repose {
@@ -16,9 +17,10 @@ enum CampaignCounter { finished_runs, failed_runs, stop_wanted, next_of_part };
 /// Rank 0 looks after the whole while it works on a run of its own: progress lines and the tables.
 class CampaignWatch {
  public:
-  /// `parts`: the runs that are drawn, part after part. Refers to its arguments.
+  /// `parts`: the runs that are drawn, part after part; `work_of` by what the time that is left is told. Refers to its
+  /// arguments.
   CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs,
-                std::span<const std::vector<std::size_t>> parts, SharedCounters& counters);
+                std::span<const std::vector<std::size_t>> parts, SharedCounters& counters, WorkOf work_of);
 
   /// A progress line and new tables when runs have ended since the last, at most every few seconds; the report, if
   /// there is to be one.
@@ -29,13 +31,15 @@ class CampaignWatch {
  private:
   void look_at_runs();
   std::vector<std::size_t> drawn_runs() const;
-  std::string progress(std::int64_t finished, std::int64_t failed, std::int64_t drawn) const;
+  std::string progress(const std::string& left) const;
+  std::string left_text(std::span<const RunRecord> records) const;
 
   const CampaignPlan& plan_;
   std::span<const StudyRun> runs_;
   std::span<const std::vector<std::size_t>> parts_;
   std::int64_t to_do_;  ///< runs in all parts
   SharedCounters& counters_;
+  WorkOf work_of_;
   WallClock::time_point start_ = WallClock::now();
   WallClock::time_point last_look_ = start_;
   std::int64_t last_finished_ = -1;

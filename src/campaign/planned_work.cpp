@@ -65,17 +65,16 @@ std::string name_of_base(const CampaignPlan& plan, const StudyRun& run) {
 
 }  // namespace
 
-PlannedWork::PlannedWork(const CampaignPlan& plan) : plan_(plan), of_base_(plan.bases.size()) {
+PlannedWork::PlannedWork(const CampaignPlan& plan) : plan_(plan) {
   const std::vector<ParameterDeck>& parameters = plan.study.parameters;
   const auto is_of_pair = [](const ParameterDeck& p) { return p.key.starts_with("pair."); };
   alike_ = std::all_of(parameters.begin(), parameters.end(), is_of_pair);
 }
 
-PlannedRun PlannedWork::operator()(const StudyRun& run) {
-  if (!alike_) return planned_run(plan_, run);
-  std::optional<PlannedRun>& known = of_base_[plan_.base_of(run)];
-  if (!known) known = planned_run(plan_, run);
-  return *known;
+const PlannedRun& PlannedWork::operator()(const StudyRun& run) {
+  const std::pair key(plan_.base_of(run), alike_ ? std::vector<double>() : run.values);
+  const auto found = known_.find(key);
+  return found != known_.end() ? found->second : known_.emplace(key, planned_run(plan_, run)).first->second;
 }
 
 std::string planned_work_text(const CampaignPlan& plan, std::span<const StudyRun> runs, double core_speed, int ranks) {
@@ -83,7 +82,7 @@ std::string planned_work_text(const CampaignPlan& plan, std::span<const StudyRun
   std::vector<RunsOfBase> of_base(plan.bases.size());
   double particle_steps = 0.0;
   for (const StudyRun& run : runs) {
-    const PlannedRun planned = work(run);
+    const PlannedRun& planned = work(run);
     RunsOfBase& base = of_base[plan.base_of(run)];
     base.name = name_of_base(plan, run);
     base.runs += 1;

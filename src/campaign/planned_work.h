@@ -1,7 +1,8 @@
 #pragma once
 
-#include <optional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "campaign/campaign.h"
@@ -16,21 +17,21 @@ struct PlannedRun {
   double particle_steps() const { return particles * steps; }
 };
 
-/// The same for many runs of a plan, which it refers to: one scene is set up for all of a base deck that differ in the
-/// laws of the contacts alone.
+/// The same for many runs of a plan, which it refers to: one scene is set up for all of a base deck at one point, or
+/// for all of a base deck that differ in the laws of the contacts alone.
 class PlannedWork {
  public:
   explicit PlannedWork(const CampaignPlan& plan);
 
   /// DeckError and FileError as the run would.
-  PlannedRun operator()(const StudyRun& run);
+  const PlannedRun& operator()(const StudyRun& run);
   /// Whether all runs are alike, as far as this can tell.
   bool is_the_same_for_all() const { return alike_ && plan_.bases.size() == 1; }
 
  private:
   const CampaignPlan& plan_;
   bool alike_ = false;
-  std::vector<std::optional<PlannedRun>> of_base_;
+  std::map<std::pair<std::size_t, std::vector<double>>, PlannedRun> known_;  ///< by base deck and point
 };
 
 /// Lines for a person: what each level of each test asks for, core-hours at `core_speed` particle-steps a second and

@@ -199,6 +199,7 @@ class Calibrate(FolderTest):
         self.refused(self.write(GRID.replace("min = 0.2", "min = 0.9")), '"max" = 0.8 must be above "min" = 0.9')
         self.refused(self.write(GRID.replace(RATE, "")), "2 parameters take as many [[observable]]s")
         self.refused(self.write(GRID.replace("repeats = 4\n", "deviation_is_known = false\n", 1)), "takes at least 2")
+        self.refused(self.write(SLIDING + "values = [0.1, 0.4, 0.7]\n" + MASS), "3 points; a surface needs 4 or more")
         self.refused(self.write(SLIDING + "min = 0.1\nmax = 0.2\n" + MASS), 'lacks "points" or "values"')
 
     def test_two_jobs_at_once_are_refused(self):

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "deck/read_deck.h"
 #include "measurement/wall_loads.h"
@@ -43,6 +46,36 @@ ServoOutcome run_servo(const Communicator& comm, const std::string& text, const 
     outcome.hashes.push_back(hash_of(s));
   }
   return outcome;
+}
+
+using ServoRun =
+    std::function<ServoOutcome(const Communicator&, const std::vector<std::string>& overrides, VectorLevel)>;
+
+/// Collective. That the run on all ranks has the bits of one rank.
+inline void expect_the_bits_of_one_rank(const ServoRun& run) {
+  const Communicator world(MPI_COMM_WORLD);
+  const Communicator self(MPI_COMM_SELF);
+  const ServoOutcome together = run(world, {}, best_vector_level());
+  if (world.is_root()) {
+    const ServoOutcome alone = run(self, {}, best_vector_level());
+    EXPECT_EQ(alone.hashes, together.hashes);
+    EXPECT_EQ(alone.ways, together.ways);
+    EXPECT_EQ(alone.loads, together.loads);
+  }
+  world.barrier();
+}
+
+/// That neither lists nor vectors change its bits; on one rank.
+inline void expect_the_bits_of_other_lists_and_vectors(const ServoRun& run) {
+  const Communicator world(MPI_COMM_WORLD);
+  if (world.size() > 1) return;
+  const ServoOutcome plain = run(world, {}, best_vector_level());
+  for (const ServoOutcome& other :
+       {run(world, {"neighbours.skin=0.8", "neighbours.inner_skin=0.1"}, best_vector_level()),
+        run(world, {}, VectorLevel::sse2)}) {
+    EXPECT_EQ(other.hashes, plain.hashes);
+    EXPECT_EQ(other.ways, plain.ways);
+  }
 }
 
 }  // namespace repose::test

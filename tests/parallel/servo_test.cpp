@@ -68,31 +68,9 @@ TEST(Servo, APlateOfGivenWeightComesToRestOnABed) {
   EXPECT_GT(outcome.ways.front(), 1e-3);
 }
 
-TEST(Servo, SameBitsOnAllRanksAsOnOne) {
-  const Communicator world(MPI_COMM_WORLD);
-  const Communicator self(MPI_COMM_SELF);
-  const ServoOutcome together = run(world);
-  if (world.is_root()) {
-    const ServoOutcome alone = run(self);
-    EXPECT_EQ(alone.hashes, together.hashes);
-    EXPECT_EQ(alone.ways, together.ways);
-    EXPECT_EQ(alone.loads, together.loads);
-  }
-  world.barrier();
-}
+TEST(Servo, SameBitsOnAllRanksAsOnOne) { expect_the_bits_of_one_rank(run); }
 
-TEST(Servo, SameBitsWhateverTheListsAndTheVectors) {
-  const Communicator world(MPI_COMM_WORLD);
-  const Communicator self(MPI_COMM_SELF);
-  if (world.size() == 1) {
-    const ServoOutcome plain = run(self);
-    for (const ServoOutcome& other :
-         {run(self, {"neighbours.skin=0.8", "neighbours.inner_skin=0.1"}), run(self, {}, VectorLevel::sse2)}) {
-      EXPECT_EQ(other.hashes, plain.hashes);
-      EXPECT_EQ(other.ways, plain.ways);
-    }
-  }
-}
+TEST(Servo, SameBitsWhateverTheListsAndTheVectors) { expect_the_bits_of_other_lists_and_vectors(run); }
 
 /// A grain of 1 mm on a plane at z = 0, without gravity, below a lid that presses along `direction`.
 Deck grain_under_lid(const Vec3& direction, double force) {

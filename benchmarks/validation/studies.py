@@ -18,8 +18,8 @@ import planes
 import sand_layer
 import sensitivity
 import wall_friction
-from bench import (BULK_DENSITY, DISCHARGE, ROOT, Bench, figures, flat_floor, places, print_table, repose, row_of, save, save_means,
-                   spreads, time_limit, vessel, with_seeds, write)
+from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, Bench, figures, flat_floor, places, print_table, repose, row_of,
+                   save, save_means, spreads, time_limit, vessel, with_seeds, write)
 
 MATERIALS = ("material.0", "material.1")
 STOPPED = 75  # exit code of a run that was stopped with a checkpoint
@@ -56,16 +56,36 @@ def sizes_by_place(run):
             for name, here in chosen.items()]
 
 
+# Young's modulus, Pa, and share of the Rayleigh time
+STEPS = (("5e6", 0.05), ("5e6", 0.1), ("5e6", 0.2), ("5e6", 0.3), ("5e6", 0.4), ("5e7", 0.2), ("5e8", 0.2))
+
+
 def stiffness(options):
-    """The quick discharge test with Young's moduli of 5e6, 5e7 and 5e8 Pa."""
-    moduli = ("5e6", "5e7", "5e8")
-    runs = {}
-    for modulus in moduli:
-        sets = [f"{material}.youngs_modulus={modulus}" for material in MATERIALS]
-        runs |= with_seeds(f"stiffness_{modulus}", "discharge_quick.toml", sets, options.seeds)
+    """The quick discharge test, until it rests, with several Young's moduli and time steps: a share of the Rayleigh time and half
+    as much of the Hertz time."""
+    runs, names = {}, []
+    for modulus, share in STEPS:
+        names.append(f"stiffness_{modulus}_{share:g}")
+        sets = [*(f"{material}.youngs_modulus={modulus}" for material in MATERIALS), f"time.rayleigh_fraction={share}",
+                f"time.hertz_fraction={share / 2}", "phase.discharge.max_time=3 s"]
+        runs |= with_seeds(names[-1], "discharge_quick.toml", sets, options.seeds)
     summaries = Bench(options).run_all(runs)
-    rows = [{"E, Pa": modulus, **row_of(spreads(summaries, f"stiffness_{modulus}", options.seeds, DISCHARGE))} for modulus in moduli]
+    rows = [{"E, Pa": modulus, "of the Rayleigh time": share, "time step, us": 1e6 * summaries[f"{name}_1"]["timestep_s"],
+             **row_of(spreads(summaries, name, options.seeds, DISCHARGE))} for (modulus, share), name in zip(STEPS, names)]
     save_means(options, "stiffness", summaries, rows)
+
+
+def time_step(options):
+    """The reduced scattering test with time steps of 10 to 40 % of the Rayleigh time and half as much of the Hertz time."""
+    shares, figures = (0.1, 0.2, 0.4), (*SCATTERING, "discharge_rate_kg_s")
+    runs = {}
+    for share in shares:
+        sets = [f"time.rayleigh_fraction={share}", f"time.hertz_fraction={share / 2}"]
+        runs |= with_seeds(f"time_step_{share:g}", "scatter_mini.toml", sets, options.seeds)
+    summaries = Bench(options).run_all(runs)
+    rows = [{"of the Rayleigh time": share, "time step, us": 1e6 * summaries[f"time_step_{share:g}_1"]["timestep_s"],
+             **row_of(spreads(summaries, f"time_step_{share:g}", options.seeds, figures))} for share in shares]
+    save_means(options, "time_step", summaries, rows)
 
 
 def funnel(options):
@@ -115,8 +135,8 @@ def sizes(options):
         save_means(options, study, summaries, rows)
 
 
-STUDIES = {"full": full, "stiffness": stiffness, "funnel": funnel, "sizes": sizes, "sand_layer": sand_layer.study,
-           "contours": contours.study, "calibrations": calibrations.study, "sensitivity": sensitivity.study,
+STUDIES = {"full": full, "stiffness": stiffness, "time_step": time_step, "funnel": funnel, "sizes": sizes,
+           "sand_layer": sand_layer.study, "contours": contours.study, "calibrations": calibrations.study, "sensitivity": sensitivity.study,
            "orifice": orifice.study, "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study,
            "wall_friction": wall_friction.study, "little_friction": little_friction.study}
 

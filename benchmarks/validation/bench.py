@@ -35,6 +35,9 @@ class Bench:
             return dict(zip(runs, pool.map(lambda name: self.run(name, *runs[name]), runs)))
 
 
+STOPPED = 75  # exit code of a run that was stopped with a checkpoint
+
+
 def time_limit(options):
     """Words of the command line that stop a run in time, if that was asked for."""
     return ["--time-limit", options.time_limit] if options.time_limit else []
@@ -72,6 +75,11 @@ def vessel(mass, points, half_width):
 
 # The override that measures the bulk density of the settled bed of 8 g in a cylinder of 10 to 12 mm
 BULK_DENSITY = 'measurement.bulk_density={min=["-5 mm", "-5 mm", "1.5 mm"], max=["5 mm", "5 mm", "12 mm"]}'
+
+
+def rayleigh_share(share):
+    """The overrides that make the time step this share of the Rayleigh time, and half as much of the Hertz time."""
+    return [f"time.rayleigh_fraction={share}", f"time.hertz_fraction={share / 2}"]
 
 
 def with_seeds(name, deck, sets, count):

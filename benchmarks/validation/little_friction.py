@@ -3,11 +3,11 @@
 import json
 import subprocess
 
-from bench import ROOT, print_table, repose, save, time_limit
+from bench import ROOT, STOPPED, print_table, rayleigh_share, repose, save, time_limit
 
 DECK = ROOT / "input" / "carbohsp_mono.toml"
-FRICTION = {"pair.0.sliding_friction": 0.1, "pair.0.rolling_friction": 0.5}
-LONG_STEPS = {"time.rayleigh_fraction": 0.4, "time.hertz_fraction": 0.2}  # which change nothing: studies.py time_step
+SETS = ["pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.5",
+        *rayleigh_share(0.4)]  # a step that changes nothing: studies.py time_step
 
 
 def measured(options, snapshot):
@@ -21,10 +21,11 @@ def study(options):
     """25 g of CarboHSP on all ranks, and the pile every half second; also of a run that is stopped by --time-limit."""
     name = "little_friction"
     try:
-        repose.run(DECK, options.work / name, set=FRICTION | LONG_STEPS, ranks=options.ranks, program=options.program,
+        repose.run(DECK, options.work / name, set=SETS, ranks=options.ranks, program=options.program,
                    restart=True, options=time_limit(options))
     except repose.ReposeError as error:
-        print(f"{name}: {error}")
+        if error.code != STOPPED:
+            raise SystemExit(f"{name}: {error}") from None
     run = repose.Run(options.work / name)
     rows = []
     for snapshot in run.snapshots[1::2]:
@@ -33,4 +34,4 @@ def study(options):
                      "height, mm": 1e3 * summary["pile_height_m"], "angle, degrees": summary["angle_of_repose_deg"],
                      "error, degrees": summary["angle_of_repose_stderr_deg"]})
     print_table(rows, digits=4)
-    save(options.results / f"{name}.json", set=FRICTION | LONG_STEPS, is_complete=run.is_complete, rows=rows)
+    save(options.results / f"{name}.json", set=SETS, is_complete=run.is_complete, rows=rows)

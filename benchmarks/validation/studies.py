@@ -18,11 +18,10 @@ import planes
 import sand_layer
 import sensitivity
 import wall_friction
-from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, Bench, figures, flat_floor, places, print_table, repose, row_of,
-                   save, save_means, spreads, time_limit, vessel, with_seeds, write)
+from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, STOPPED, Bench, figures, flat_floor, places, print_table,
+                   rayleigh_share, repose, row_of, save, save_means, spreads, time_limit, vessel, with_seeds, write)
 
 MATERIALS = ("material.0", "material.1")
-STOPPED = 75  # exit code of a run that was stopped with a checkpoint
 
 
 def full(options):
@@ -66,8 +65,8 @@ def stiffness(options):
     runs, names = {}, []
     for modulus, share in STEPS:
         names.append(f"stiffness_{modulus}_{share:g}")
-        sets = [*(f"{material}.youngs_modulus={modulus}" for material in MATERIALS), f"time.rayleigh_fraction={share}",
-                f"time.hertz_fraction={share / 2}", "phase.discharge.max_time=3 s"]
+        sets = [*(f"{material}.youngs_modulus={modulus}" for material in MATERIALS), *rayleigh_share(share),
+                "phase.discharge.max_time=3 s"]
         runs |= with_seeds(names[-1], "discharge_quick.toml", sets, options.seeds)
     summaries = Bench(options).run_all(runs)
     rows = [{"E, Pa": modulus, "of the Rayleigh time": share, "time step, us": 1e6 * summaries[f"{name}_1"]["timestep_s"],
@@ -80,8 +79,7 @@ def time_step(options):
     shares, figures = (0.1, 0.2, 0.4), (*SCATTERING, "discharge_rate_kg_s")
     runs = {}
     for share in shares:
-        sets = [f"time.rayleigh_fraction={share}", f"time.hertz_fraction={share / 2}"]
-        runs |= with_seeds(f"time_step_{share:g}", "scatter_mini.toml", sets, options.seeds)
+        runs |= with_seeds(f"time_step_{share:g}", "scatter_mini.toml", rayleigh_share(share), options.seeds)
     summaries = Bench(options).run_all(runs)
     rows = [{"of the Rayleigh time": share, "time step, us": 1e6 * summaries[f"time_step_{share:g}_1"]["timestep_s"],
              **row_of(spreads(summaries, f"time_step_{share:g}", options.seeds, figures))} for share in shares]

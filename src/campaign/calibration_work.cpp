@@ -54,7 +54,6 @@ void CalibrationWork::write_table(const Projection& projection, std::span<const 
 
 std::string CalibrationWork::planned(std::span<const LevelPoint> points) const {
   const std::vector<StudyRun> runs = level_runs(deck_, overrides_, points);
-  check_campaign(plan_, runs);
   return planned_work_text(plan_, runs, deck_.adaptive.core_speed, world_.size());
 }
 

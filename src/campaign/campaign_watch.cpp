@@ -1,7 +1,6 @@
 #include "campaign/campaign_watch.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/core.h>
 
@@ -11,13 +10,13 @@
 namespace repose {
 
 CampaignWatch::CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs,
-                             std::span<const std::vector<std::size_t>> parts, SharedCounters& counters, WorkOf work_of)
-    : plan_(plan),
-      runs_(runs),
-      parts_(parts),
-      to_do_(run_count(parts)),
-      counters_(counters),
-      work_of_(std::move(work_of)) {}
+                             std::span<const std::vector<std::size_t>> parts, SharedCounters& counters,
+                             const WorkOf& work_of)
+    : plan_(plan), runs_(runs), parts_(parts), to_do_(run_count(parts)), counters_(counters), work_(runs.size()) {
+  for (const std::vector<std::size_t>& part : parts) {
+    for (const std::size_t run : part) work_[run] = work_of(runs[run]);
+  }
+}
 
 void CampaignWatch::look() {
   constexpr double patience = 2.0;  // s
@@ -65,7 +64,7 @@ std::string CampaignWatch::left_text(std::span<const RunRecord> records) const {
   for (const std::vector<std::size_t>& part : parts_) {
     for (const std::size_t run : part) {
       const bool has_ended = records[run].state != RunState::waiting && records[run].state != RunState::running;
-      (has_ended ? done : left) += work_of_(runs_[run]);
+      (has_ended ? done : left) += work_[run];
     }
   }
   return done > 0.0 ? fmt::format(", {} left", duration_text(seconds_since(start_) * left / done)) : "";

@@ -17,10 +17,10 @@ enum CampaignCounter { finished_runs, failed_runs, stop_wanted, next_of_part };
 /// Rank 0 looks after the whole while it works on a run of its own: progress lines and the tables.
 class CampaignWatch {
  public:
-  /// `parts`: the runs that are drawn, part after part; `work_of` by what the time that is left is told. Refers to its
-  /// arguments.
+  /// `parts`: the runs that are drawn, part after part; `work_of`, by which the time that is left is told, is asked
+  /// once for each. Refers to its other arguments.
   CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs,
-                std::span<const std::vector<std::size_t>> parts, SharedCounters& counters, WorkOf work_of);
+                std::span<const std::vector<std::size_t>> parts, SharedCounters& counters, const WorkOf& work_of);
 
   /// A progress line and new tables when runs have ended since the last, at most every few seconds; the report, if
   /// there is to be one.
@@ -39,7 +39,7 @@ class CampaignWatch {
   std::span<const std::vector<std::size_t>> parts_;
   std::int64_t to_do_;  ///< runs in all parts
   SharedCounters& counters_;
-  WorkOf work_of_;
+  std::vector<double> work_;  ///< of each run that is in a part
   WallClock::time_point start_ = WallClock::now();
   WallClock::time_point last_look_ = start_;
   std::int64_t last_finished_ = -1;

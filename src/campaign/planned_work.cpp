@@ -78,6 +78,7 @@ const PlannedRun& PlannedWork::operator()(const StudyRun& run) {
 }
 
 std::string planned_work_text(const CampaignPlan& plan, std::span<const StudyRun> runs, double core_speed, int ranks) {
+  check_campaign(plan, runs);
   PlannedWork work(plan);
   std::vector<RunsOfBase> of_base(plan.bases.size());
   double particle_steps = 0.0;

@@ -35,7 +35,7 @@ class PlannedWork {
 };
 
 /// Lines for a person: what each level of each test asks for, core-hours at `core_speed` particle-steps a second and
-/// core, wall time on so many ranks. DeckError and FileError as the runs would, before the first of them.
+/// core, wall time on so many ranks. DeckError and FileError as check_campaign and the runs, before the first of them.
 std::string planned_work_text(const CampaignPlan& plan, std::span<const StudyRun> runs, double core_speed, int ranks);
 
 }  // namespace repose

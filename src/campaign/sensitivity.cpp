@@ -164,7 +164,6 @@ std::string check_sensitivity(const Communicator& world, const RunRequest& reque
   std::string report;
   agree_after_root(world, [&] {
     const std::vector<StudyRun> runs = runs_at(plan.study, Design(deck).all);
-    check_campaign(plan, runs);
     report = planned_work_text(plan, runs, usual_core_speed, world.size());
   });
   return report;

@@ -39,6 +39,11 @@ bool is_within_reach(const Wall& wall, const Particles& particles, std::size_t i
   return found;
 }
 
+/// Of entries in the order of their particles.
+constexpr auto comes_before = [](const auto& entry, std::int32_t particle) { return entry.particle < particle; };
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
 /// As if no particle had ever touched it.
 void forget(FaceGroup& group) {
   for (std::size_t lane = 0; lane < group.lanes; ++lane) {
@@ -80,6 +85,27 @@ void WallContacts::build(const Particles& particles, std::span<const Wall> walls
   group_of_.clear();
   near_ = candidates_;
   near_walls_ = candidate_walls_;
+}
+
+void WallContacts::list_more(const Particles& particles, std::span<const Wall> walls, std::int32_t i, double reach) {
+  const auto place = std::lower_bound(candidates_.begin(), candidates_.end(), i, comes_before);
+  const bool is_listed = place != candidates_.end() && place->particle == i;
+  std::span<const std::int32_t> listed;
+  if (is_listed) listed = std::span(candidate_walls_).subspan(index(place->first_wall), index(place->walls));
+  std::vector<std::int32_t> all;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const auto wall = static_cast<std::int32_t>(w);
+    const bool is_old = std::find(listed.begin(), listed.end(), wall) != listed.end();
+    if (is_old || is_within_reach(walls[w], particles, index(i), reach + walls[w].outer_skin)) all.push_back(wall);
+  }
+  if (all.size() == listed.size()) return;
+  const Candidate more = {i, static_cast<std::int32_t>(candidate_walls_.size()), static_cast<std::int32_t>(all.size())};
+  candidate_walls_.insert(candidate_walls_.end(), all.begin(), all.end());
+  if (is_listed) {
+    *place = more;
+  } else {
+    candidates_.insert(place, more);
+  }
 }
 
 void WallContacts::select_near(const Particles& particles, std::span<const Wall> walls, const SkinRule& rule) {
@@ -154,11 +180,10 @@ void WallContacts::add_lane(FaceGroup& group, std::int32_t particle, const Conta
 }
 
 void WallContacts::search(std::span<const std::int32_t> moved) {
-  const auto before = [](const auto& entry, std::int32_t particle) { return entry.particle < particle; };
   for (const std::int32_t particle : moved) {
-    const auto all = std::lower_bound(candidates_.begin(), candidates_.end(), particle, before);
+    const auto all = std::lower_bound(candidates_.begin(), candidates_.end(), particle, comes_before);
     if (all == candidates_.end() || all->particle != particle) continue;
-    const auto near = std::lower_bound(near_.begin(), near_.end(), particle, before);
+    const auto near = std::lower_bound(near_.begin(), near_.end(), particle, comes_before);
     const bool is_searched = near != near_.end() && near->particle == particle;
     if (is_searched && near->walls == all->walls) continue;
     const Candidate searched = {particle, static_cast<std::int32_t>(near_walls_.size()), all->walls};
@@ -172,7 +197,7 @@ void WallContacts::search(std::span<const std::int32_t> moved) {
     near_.insert(near, searched);
     const WallMemory memory = take_lane_of(particle);
     if (is_blank(memory.history)) continue;
-    contacts_.insert(std::lower_bound(contacts_.begin(), contacts_.end(), particle, before),
+    contacts_.insert(std::lower_bound(contacts_.begin(), contacts_.end(), particle, comes_before),
                      {particle, memory.wall, memory.feature, {}, 0.0, 0.0, memory.history});
   }
 }

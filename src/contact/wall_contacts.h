@@ -47,6 +47,9 @@ class WallContacts {
   void build(const Particles& particles, std::span<const Wall> walls, std::span<const double> reach,
              const Csr<WallMemory>& memory);
 
+  /// Lists for owned particle i the walls within this reach as well, which `search` takes up.
+  void list_more(const Particles& particles, std::span<const Wall> walls, std::int32_t i, double reach);
+
   /// Narrows the list to what is within the reaches of `rule`, until select_near is called again: particles that can
   /// touch one face and nothing else go into the lanes of that face, the others are searched at each step.
   void select_near(const Particles& particles, std::span<const Wall> walls, const SkinRule& rule);

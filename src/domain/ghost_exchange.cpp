@@ -33,6 +33,19 @@ std::size_t begins_room(int ranks) {
 
 }  // namespace
 
+template <class Visit>
+void GhostExchange::for_each_place_near(const Decomposition& decomposition, const Periodicity& periodic,
+                                        const Vec3& position, double reach, double growth, Visit&& visit) const {
+  const double range = reach + growth * *std::max_element(longest_of_.begin(), longest_of_.end());
+  periodic.for_each_shift(position, range, [&](const Vec3& shift) {
+    decomposition.for_each_rank_near(position + shift, range, [&](int rank, double squared_distance) {
+      const double longest = growth * longest_of_[static_cast<std::size_t>(rank)];
+      const double limit = reach + longest;
+      if (longest > 0.0 && squared_distance < limit * limit) visit(rank, shift);
+    });
+  });
+}
+
 std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, const SkinRule& rule,
                                           Particles& particles) {
   free_requests();
@@ -47,21 +60,15 @@ std::vector<double> GhostExchange::set_up(const Decomposition& decomposition, co
     reach[i] = reach_of(particles.record[i], rule);
     longest = std::max(longest, reach[i]);
   }
-  const std::vector<double> longest_of = comm_.all_gather(longest);
-  const double longest_of_all = *std::max_element(longest_of.begin(), longest_of.end());
+  longest_of_ = comm_.all_gather(longest);
 
   std::vector<std::vector<Image>> ghosts_of(static_cast<std::size_t>(comm_.size()));
   for (std::size_t i = 0; i < particles.owned; ++i) {
-    const Vec3& position = particles.record[i].position;
-    const double range = reach[i] + longest_of_all;
-    particles.periodic.for_each_shift(position, range, [&](const Vec3& shift) {
-      decomposition.for_each_rank_near(position + shift, range, [&](int rank, double squared_distance) {
-        const auto r = static_cast<std::size_t>(rank);
-        const double limit = reach[i] + longest_of[r];
-        if (rank == comm_.rank() && shift == Vec3{}) return;
-        if (longest_of[r] > 0.0 && squared_distance < limit * limit) ghosts_of[r].push_back({i, shift});
-      });
-    });
+    for_each_place_near(decomposition, particles.periodic, particles.record[i].position, reach[i], 1.0,
+                        [&](int rank, const Vec3& shift) {
+                          if (rank == comm_.rank() && shift == Vec3{}) return;
+                          ghosts_of[static_cast<std::size_t>(rank)].push_back({i, shift});
+                        });
   }
 
   std::vector<std::vector<char>> bytes(ghosts_of.size());
@@ -119,6 +126,22 @@ void GhostExchange::keep(const std::vector<bool>& needed, Particles& particles) 
   particles.material.resize(next);
   std::erase_if(receives_, [](const Link& link) { return link.count == 0; });
   keep_sends(comm_.exchange(kept));
+  is_sent_.assign(particles.owned, false);
+  for (const std::size_t i : send_index_) is_sent_[i] = true;
+}
+
+// Marks, where skins began, keep to the box of their rank: at a set-up all particles do, and a mark that begins alone
+// is farther from every other box than its reach and the longest that one there may come to have. So two marks of two
+// ranks are farther apart than both reaches when one of them, or both, have begun since.
+bool GhostExchange::is_alone(const Decomposition& decomposition, const Particles& particles, std::size_t i,
+                             double reach) const {
+  if (comm_.size() == 1 && !particles.periodic.any()) return true;
+  constexpr double growth = 1.25;  // of the longest reaches
+  if (is_sent_[i] || reach > growth * longest_of_[static_cast<std::size_t>(comm_.rank())]) return false;
+  bool alone = true;
+  for_each_place_near(decomposition, particles.periodic, particles.record[i].position, reach, growth,
+                      [&](int rank, const Vec3& shift) { alone &= rank == comm_.rank() && shift == Vec3{}; });
+  return alone;
 }
 
 /// `kept`: by rank, which of the particles sent there it wants.

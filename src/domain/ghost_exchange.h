@@ -41,6 +41,11 @@ class GhostExchange {
   /// keep their order. A rank's shell is as thick as its longest reach asks for, but few particles have that reach.
   void keep(const std::vector<bool>& needed, Particles& particles);
 
+  /// Whether nothing of another rank, nor any image, can come within its reach and theirs of owned particle i until the
+  /// next set_up, if its skin begins anew where it is now, with this reach (m), and if other ranks ask the same of
+  /// theirs.
+  bool is_alone(const Decomposition& decomposition, const Particles& particles, std::size_t i, double reach) const;
+
   /// Sends the motion of the owned particles that are ghosts elsewhere, and starts to receive.
   void start(const Particles& particles);
   /// Gives MPI the processor for a moment: large messages, also those that this rank sends, advance only while it is in
@@ -70,7 +75,15 @@ class GhostExchange {
   void copy_own_images(std::span<const T> from, std::span<T> to) const;
   void free_requests();
 
+  /// Calls visit(rank, shift) for each rank, this one included, that a particle at `position` with this reach may have
+  /// partners on, when the particle is moved by `shift`. The longest reach on a rank may have grown by so much.
+  template <class Visit>
+  void for_each_place_near(const Decomposition& decomposition, const Periodicity& periodic, const Vec3& position,
+                           double reach, double growth, Visit&& visit) const;
+
   const Communicator& comm_;
+  std::vector<double> longest_of_;  ///< m, reach on each rank at the set-up
+  std::vector<bool> is_sent_;       ///< of each owned particle
   std::vector<Link> sends_;
   std::vector<Link> receives_;
   std::vector<std::size_t> send_index_;  ///< owned particles to send, link by link

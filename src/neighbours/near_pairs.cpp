@@ -1,11 +1,10 @@
 #include "neighbours/near_pairs.h"
 
 #include <algorithm>
-#include <cmath>
 
-// The particles are told apart by their reach into levels, each at most twice that of the level below. A level has
-// cells as wide as two of its reaches, so that a particle finds all partners in its own and in higher levels in the 3 x
-// 3 x 3 cells about its own place: a large ball in fine grains does not search for them, they find the ball.
+// A level (cell_levels.h) has cells as wide as two of its reaches, so that a particle finds all partners in its own and
+// in higher levels in the 3 x 3 x 3 cells about its own place: a large ball in fine grains does not search for them,
+// they find the ball.
 //
 // No table holds the cells: members and searchers of a level are sorted by cell, x before y before z. For each of the
 // 3 x 3 columns of cells along z the partners of successive searchers then lie in successive places, so that one pass
@@ -21,34 +20,14 @@ struct Sorted {
   Vec3 position;
 };
 
-constexpr int axis_bits = 21;  // three coordinates fit one 64-bit number
-constexpr std::uint64_t x_step = std::uint64_t{1} << (2 * axis_bits);
-constexpr std::uint64_t y_step = std::uint64_t{1} << axis_bits;
+constexpr std::uint64_t x_step = Cells::x_step;
+constexpr std::uint64_t y_step = Cells::y_step;
 
-/// Cubic cells. Those at the ends hold all that lies beyond; the outermost stay empty, so that every other has
-/// neighbours.
-struct Cells {
-  Vec3 origin;
-  double inverse_width;
-
-  std::uint64_t along(double offset) const {
-    constexpr double last = static_cast<double>(y_step - 2);
-    return static_cast<std::uint64_t>(std::clamp(std::floor(offset * inverse_width) + 1.0, 1.0, last));
-  }
-  std::uint64_t of(const Vec3& p) const {
-    return along(p.x - origin.x) * x_step + along(p.y - origin.y) * y_step + along(p.z - origin.z);
-  }
-};
-
-std::vector<Sorted> sort_by_cell(const Cells& cells, std::span<const ParticleRecord> particles,
-                                 std::span<const double> reach, std::span<const std::int32_t> chosen) {
-  std::vector<std::pair<std::uint64_t, std::int32_t>> order;
-  order.reserve(chosen.size());
-  for (const std::int32_t i : chosen) order.push_back({cells.of(particles[static_cast<std::size_t>(i)].position), i});
-  std::sort(order.begin(), order.end());
+std::vector<Sorted> with_reaches(std::span<const CellMember> members, std::span<const ParticleRecord> particles,
+                                 std::span<const double> reach) {
   std::vector<Sorted> sorted;
-  sorted.reserve(order.size());
-  for (const auto& [cell, i] : order) {
+  sorted.reserve(members.size());
+  for (const auto& [cell, i] : members) {
     const auto k = static_cast<std::size_t>(i);
     sorted.push_back({cell, i, reach[k], particles[k].position});
   }
@@ -101,9 +80,8 @@ constexpr std::array<std::uint64_t, 9> all_columns = {std::uint64_t{0} - x_step 
                                                       x_step,
                                                       x_step + y_step};
 
-/// Particles below `level` that lie near enough to the members' box to have a partner among them.
-std::vector<std::int32_t> searchers_of(std::span<const std::vector<std::int32_t>> levels, std::size_t level,
-                                       std::span<const Sorted> members, double range,
+/// Particles of the `lower` levels that lie within `range` of the members' box, so that they may have a partner there.
+std::vector<std::int32_t> searchers_of(std::span<const CellLevel> lower, std::span<const Sorted> members, double range,
                                        std::span<const ParticleRecord> particles) {
   Vec3 low = members.front().position;
   Vec3 high = low;
@@ -115,28 +93,15 @@ std::vector<std::int32_t> searchers_of(std::span<const std::vector<std::int32_t>
   low -= margin;
   high += margin;
   std::vector<std::int32_t> searchers;
-  for (const std::vector<std::int32_t>& lower : levels.first(level)) {
-    for (const std::int32_t i : lower) {
-      const Vec3& p = particles[static_cast<std::size_t>(i)].position;
+  for (const CellLevel& level : lower) {
+    for (const CellMember& m : level.members) {
+      const Vec3& p = particles[static_cast<std::size_t>(m.particle)].position;
       if (p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z) {
-        searchers.push_back(i);
+        searchers.push_back(m.particle);
       }
     }
   }
   return searchers;
-}
-
-/// Indices of the particles by level; the highest holds all that are larger still.
-std::vector<std::vector<std::int32_t>> levels_of(std::span<const double> reach) {
-  constexpr int highest = 40;
-  const double smallest = *std::min_element(reach.begin(), reach.end());
-  std::vector<std::vector<std::int32_t>> levels;
-  for (std::size_t i = 0; i < reach.size(); ++i) {
-    const auto level = static_cast<std::size_t>(std::clamp(std::ilogb(reach[i] / smallest), 0, highest));
-    if (level >= levels.size()) levels.resize(level + 1);
-    levels[level].push_back(static_cast<std::int32_t>(i));
-  }
-  return levels;
 }
 
 /// In the order of the second, higher index.
@@ -151,31 +116,27 @@ std::vector<IndexPair> sort_by_second(const std::vector<IndexPair>& pairs, std::
 
 }  // namespace
 
-std::vector<IndexPair> near_pairs(std::span<const ParticleRecord> particles, std::span<const double> reach,
-                                  std::size_t owned) {
+std::vector<IndexPair> near_pairs(std::span<const CellLevel> levels, std::span<const ParticleRecord> particles,
+                                  std::span<const double> reach, std::size_t owned) {
   std::vector<IndexPair> pairs;
-  if (reach.empty()) return pairs;
-  Vec3 origin = particles[0].position;
-  for (const ParticleRecord& p : particles) {
-    origin = {std::min(origin.x, p.position.x), std::min(origin.y, p.position.y), std::min(origin.z, p.position.z)};
-  }
   const auto visit = [&](const Sorted& a, const Sorted& b) {
     const IndexPair pair = {std::min(a.index, b.index), std::max(a.index, b.index)};
     if (static_cast<std::size_t>(pair[0]) < owned) pairs.push_back(pair);
   };
-  const std::vector<std::vector<std::int32_t>> levels = levels_of(reach);
-  for (std::size_t level = 0; level < levels.size(); ++level) {
-    if (levels[level].empty()) continue;
-    double longest = 0.0;
-    for (const std::int32_t i : levels[level]) longest = std::max(longest, reach[static_cast<std::size_t>(i)]);
-    const double width = 2.0 * longest * (1.0 + 1e-9);  // more than what rounding could add to a distance
-    const Cells cells = {origin, 1.0 / width};
-    const std::vector<Sorted> members = sort_by_cell(cells, particles, reach, levels[level]);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const Cells& cells = levels[k].cells;
+    const std::vector<Sorted> members = with_reaches(levels[k].members, particles, reach);
     sweep_own(members, visit);
-    const std::vector<std::int32_t> lower = searchers_of(levels, level, members, width, particles);
-    sweep(sort_by_cell(cells, particles, reach, lower), members, all_columns, visit);
+    const std::vector<std::int32_t> lower =
+        searchers_of(levels.first(k), members, 1.0 / cells.inverse_width, particles);
+    sweep(with_reaches(sort_by_cell(cells, particles, lower), particles, reach), members, all_columns, visit);
   }
   return sort_by_second(pairs, particles.size());
+}
+
+std::vector<IndexPair> near_pairs(std::span<const ParticleRecord> particles, std::span<const double> reach,
+                                  std::size_t owned) {
+  return near_pairs(sort_into_levels(particles, reach), particles, reach, owned);
 }
 
 std::vector<bool> ghosts_in(std::span<const IndexPair> pairs, std::size_t owned, std::size_t total) {

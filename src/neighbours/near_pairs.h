@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "neighbours/cell_levels.h"
 #include "scene/particles/particles.h"
 
 namespace repose {
@@ -17,6 +18,9 @@ using IndexPair = std::array<std::int32_t, 2>;
 /// the number of particles, whatever their sizes and the size of the domain.
 std::vector<IndexPair> near_pairs(std::span<const ParticleRecord> particles, std::span<const double> reach,
                                   std::size_t owned);
+/// The same, of particles that are sorted into levels by these reaches.
+std::vector<IndexPair> near_pairs(std::span<const CellLevel> levels, std::span<const ParticleRecord> particles,
+                                  std::span<const double> reach, std::size_t owned);
 
 /// Which of the particles from `owned` to `total` are in any of the pairs.
 std::vector<bool> ghosts_in(std::span<const IndexPair> pairs, std::size_t owned, std::size_t total);

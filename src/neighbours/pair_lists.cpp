@@ -43,6 +43,35 @@ Csr<std::int32_t> pairs_by_particle(std::span<const PairGroup::Pair> pairs, std:
   });
 }
 
+/// Prepares a group for for_each_pair_of.
+void index_pairs(PairGroup& group, std::size_t particles) {
+  if (group.pairs_of.rows() > 0) return;
+  group.pairs_of = pairs_by_particle(group.pairs, particles);
+  group.indexed = group.pairs.size();
+}
+
+/// Calls visit(number) for each pair of particle i in a group.
+template <class Visit>
+void for_each_pair_of(const PairGroup& group, std::int32_t i, Visit&& visit) {
+  for (const std::int32_t p : group.pairs_of.row(index(i))) visit(p);
+  if (group.last_added.empty()) return;
+  for (std::int32_t p = group.last_added[index(i)]; p >= 0;) {
+    visit(p);
+    p = group.added_before[index(p) - group.indexed][group.pairs[index(p)].first == i ? 0 : 1];
+  }
+}
+
+/// Puts a pair behind those of a group that index_pairs has seen.
+void add_pair(PairGroup& group, const PairGroup::Pair& pair, std::size_t particles) {
+  group.last_added.resize(particles, -1);
+  const auto number = static_cast<std::int32_t>(group.pairs.size());
+  group.pairs.push_back(pair);
+  std::int32_t& first = group.last_added[index(pair.first)];
+  std::int32_t& second = group.last_added[index(pair.second)];
+  group.added_before.push_back({first, second});
+  first = second = number;
+}
+
 /// The history that particle `owner` remembers of `partner`, blank when there is none.
 ContactHistory remembered(const Csr<PairMemory>& memory, std::size_t owner, std::int64_t partner) {
   for (const PairMemory& m : memory.row(owner)) {
@@ -75,16 +104,21 @@ PairGroup& PairLists::group_for(const Particles& particles, std::size_t first, s
                                         .pairs = {},
                                         .blocks = {},
                                         .late = {},
-                                        .pairs_of = {}});
+                                        .pairs_of = {},
+                                        .last_added = {},
+                                        .added_before = {}});
 }
 
 void PairLists::clear() {
+  last_partner_of_.clear();
   for (PairGroup& group : groups_) {
     group.pairs.clear();
     group.blocks.clear();
     group.lanes = 0;
     group.late.clear();
     group.pairs_of = {};
+    group.last_added.clear();
+    group.added_before.clear();
   }
 }
 
@@ -126,14 +160,34 @@ void PairLists::find_near(const PairGroup& group, std::span<const ReachSphere> s
   near_.resize(count);
 }
 
+void PairLists::list_more(const Particles& particles, std::int32_t i, std::span<const std::int32_t> partners) {
+  last_partner_of_.resize(particles.total(), -1);
+  for (PairGroup& group : groups_) {
+    index_pairs(group, particles.total());
+    for_each_pair_of(group, i, [&](std::int32_t p) {
+      const PairGroup::Pair& pair = group.pairs[index(p)];
+      last_partner_of_[index(pair.first == i ? pair.second : pair.first)] = i;
+    });
+  }
+  for (const std::int32_t j : partners) {
+    if (last_partner_of_[index(j)] == i) continue;
+    const bool i_first = particles.id[index(i)] < particles.id[index(j)];
+    const std::int32_t first = i_first ? i : j;
+    const std::int32_t second = i_first ? j : i;
+    PairGroup& group = group_for(particles, index(first), index(second), true);
+    index_pairs(group, particles.total());
+    add_pair(group, {first, second, -1}, particles.total());
+  }
+}
+
 void PairLists::add_near(std::span<const ReachSphere> spheres, std::span<const std::int32_t> moved) {
   if (moved.empty()) return;
   for (PairGroup& group : groups_) {
-    if (group.pairs_of.rows() == 0) group.pairs_of = pairs_by_particle(group.pairs, spheres.size());
+    index_pairs(group, spheres.size());
     for (const std::int32_t i : moved) {
-      for (const std::int32_t p : group.pairs_of.row(index(i))) {
+      for_each_pair_of(group, i, [&](std::int32_t p) {
         PairGroup::Pair& pair = group.pairs[index(p)];
-        if (pair.lane >= 0 || !are_near(pair, spheres)) continue;
+        if (pair.lane >= 0 || !are_near(pair, spheres)) return;
         pair.lane = static_cast<std::int32_t>(group.lanes++);
         if (blocks_for(group.lanes) > group.blocks.size()) {
           group.blocks.emplace_back();
@@ -141,7 +195,7 @@ void PairLists::add_near(std::span<const ReachSphere> spheres, std::span<const s
         }
         set_lane(group.blocks, index(pair.lane), pair.first, pair.second, {});
         group.late.push_back(p);
-      }
+      });
     }
   }
 }
@@ -222,9 +276,9 @@ std::size_t PairLists::bytes() const {
   std::size_t count = 0;
   for (const PairGroup& g : groups_) {
     count += bytes_of(g.pairs) + bytes_of(g.blocks) + bytes_of(g.late) + bytes_of(g.pairs_of.offset) +
-             bytes_of(g.pairs_of.items);
+             bytes_of(g.pairs_of.items) + bytes_of(g.last_added) + bytes_of(g.added_before);
   }
-  return count + bytes_of(near_);
+  return count + bytes_of(near_) + bytes_of(last_partner_of_);
 }
 
 std::size_t PairLists::lanes() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,11 +24,14 @@ struct PairGroup {
   std::int32_t material_first;
   std::int32_t material_second;
   bool interior;
-  BigVector<Pair> pairs;           ///< outer list: everything within the outer reaches
-  BigVector<ContactBlock> blocks;  ///< inner list: what the pair loop evaluates
-  std::size_t lanes = 0;           ///< used lanes of `blocks`
-  std::vector<std::int32_t> late;  ///< pairs in the last lanes, added since the inner list was chosen
-  Csr<std::int32_t> pairs_of;      ///< of each particle, in `pairs`; without rows until it is needed
+  BigVector<Pair> pairs;                 ///< outer list: everything within the outer reaches
+  BigVector<ContactBlock> blocks;        ///< inner list: what the pair loop evaluates
+  std::size_t lanes = 0;                 ///< used lanes of `blocks`
+  std::vector<std::int32_t> late;        ///< pairs in the last lanes, added since the inner list was chosen
+  Csr<std::int32_t> pairs_of;            ///< of each particle, in `pairs`; without rows until it is needed
+  std::size_t indexed = 0;               ///< pairs in `pairs_of`; those behind, added since, are chained:
+  std::vector<std::int32_t> last_added;  ///< of each particle, or -1; empty before the first
+  std::vector<std::array<std::int32_t, 2>> added_before;  ///< of both particles of each, or -1
 };
 
 /// The outer and inner neighbour lists of one rank, with the histories of its pair contacts.
@@ -39,6 +43,10 @@ class PairLists {
 
   /// Refills the inner lists with the listed pairs whose spheres, one of each particle, overlap; histories stay.
   void select_near(std::span<const ReachSphere> spheres);
+
+  /// Lists the pairs of owned particle i with those of these other owned ones that are not listed yet. They have
+  /// no histories, and are in no inner list until one is chosen or the skin of i begins anew in add_near.
+  void list_more(const Particles& particles, std::int32_t i, std::span<const std::int32_t> partners);
 
   /// Adds to the inner lists the listed pairs of the particles `moved` whose spheres overlap by now; none is dropped.
   void add_near(std::span<const ReachSphere> spheres, std::span<const std::int32_t> moved);
@@ -66,7 +74,8 @@ class PairLists {
   PairGroup& group_for(const Particles& particles, std::size_t first, std::size_t second, bool interior);
 
   std::vector<PairGroup> groups_;
-  std::vector<std::int32_t> near_;  ///< pairs of one group, while select_near runs
+  std::vector<std::int32_t> near_;             ///< pairs of one group, while select_near runs
+  std::vector<std::int32_t> last_partner_of_;  ///< of each particle, the last whose pairs list_more looked through
 };
 
 /// Puts two dummy particles behind the last ghost, far from everything and from one another, and makes room for as many

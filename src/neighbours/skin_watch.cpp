@@ -14,11 +14,18 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 void SkinWatch::begin_outer(const Particles& particles) {
   owned_ = particles.owned;
   outer_marks_.resize(particles.total());
-  for (std::size_t i = 0; i < outer_marks_.size(); ++i) {
-    const ParticleRecord& p = particles.record[i];
-    const double skin = is_parked(p) ? unlimited : skin_of(p, outer_);
-    outer_marks_[i] = {p.position, skin * skin};
-  }
+  for (std::size_t i = 0; i < outer_marks_.size(); ++i) begin_outer(particles, i);
+}
+
+void SkinWatch::begin_outer(const Particles& particles, std::size_t i) {
+  const ParticleRecord& p = particles.record[i];
+  const double skin = is_parked(p) ? unlimited : skin_of(p, outer_);
+  outer_marks_[i] = {p.position, skin * skin};
+}
+
+ReachSphere SkinWatch::outer_sphere(const Particles& particles, std::size_t i) const {
+  const Mark& mark = outer_marks_[i];
+  return {mark.position, reach_of(particles.record[i], outer_, std::sqrt(mark.squared_skin))};
 }
 
 void SkinWatch::begin_inner(const Particles& particles) {
@@ -62,11 +69,8 @@ std::span<const std::int32_t> SkinWatch::moved_ghosts(const Particles& particles
   return moved_ghosts_;
 }
 
-bool SkinWatch::outer_is_used_up(const Particles& particles, std::span<const std::int32_t> moved) const {
-  return std::any_of(moved.begin(), moved.end(), [&](std::int32_t moved_one) {
-    const auto i = static_cast<std::size_t>(moved_one);
-    return !is_parked(particles.record[i]) && left_of_outer(particles, i) <= 0.0;
-  });
+bool SkinWatch::outer_is_used_up(const Particles& particles, std::size_t i) const {
+  return !is_parked(particles.record[i]) && left_of_outer(particles, i) <= 0.0;
 }
 
 }  // namespace repose

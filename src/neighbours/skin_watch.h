@@ -20,6 +20,8 @@ class SkinWatch {
 
   /// To be called when an outer list has been made: all outer skins begin anew.
   void begin_outer(const Particles& particles);
+  /// That of particle i does; its inner one has to follow.
+  void begin_outer(const Particles& particles, std::size_t i);
   /// All inner skins begin anew.
   void begin_inner(const Particles& particles);
   /// Those of the particles `moved` do.
@@ -33,8 +35,10 @@ class SkinWatch {
   void ignore_parked(const Particles& particles);
   /// The ghosts whose inner skins are used up, until the next call.
   std::span<const std::int32_t> moved_ghosts(const Particles& particles);
-  /// Whether one of the particles `moved`, whose inner skins are used up, has nothing left of its outer skin.
-  bool outer_is_used_up(const Particles& particles, std::span<const std::int32_t> moved) const;
+  /// Whether particle i, whose inner skin is used up, has nothing left of its outer skin.
+  bool outer_is_used_up(const Particles& particles, std::size_t i) const;
+  /// Where particle i was when its outer skin began, and its reach with that skin.
+  ReachSphere outer_sphere(const Particles& particles, std::size_t i) const;
 
   /// How long, in s at present speed, outer skins are to cover from now on; to be followed by a new outer list.
   void set_outer_horizon(double horizon) { outer_.horizon = horizon; }

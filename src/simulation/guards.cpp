@@ -106,11 +106,10 @@ std::optional<Alarm> find_unfit(const GuardView& view) {
 }
 
 std::vector<std::int32_t> crowded_particles(std::span<const IndexPair> near, std::size_t owned) {
-  constexpr std::int32_t few = 2000;  // contributions, with those of walls less than half of what a sum holds
-  std::vector<std::int32_t> count(owned, 0);
+  std::vector<std::size_t> count(owned, 0);
   std::vector<std::int32_t> crowded;
   const auto add = [&](std::int32_t i) {
-    if (static_cast<std::size_t>(i) < owned && ++count[static_cast<std::size_t>(i)] == few) crowded.push_back(i);
+    if (static_cast<std::size_t>(i) < owned && ++count[static_cast<std::size_t>(i)] == crowd) crowded.push_back(i);
   };
   for (const auto& [i, j] : near) {
     add(i);

@@ -62,8 +62,12 @@ std::string place_text(const Vec3& place);
 /// moves by longest_way of its radius in a step (velocity_verlet.h). Nothing when all are fit.
 std::optional<Alarm> find_unfit(const GuardView& view);
 
-/// The owned particles with so many near pairs that their force sums could come to be beyond half of their range, each
-/// contribution being in its own (contact/fixed_point.h). A big ball among small grains is one.
+/// So many contributions and as many again, with those of walls, are less than a force sum holds, each being in its own
+/// range (contact/fixed_point.h).
+constexpr std::size_t crowd = 2000;
+
+/// The owned particles with so many near pairs, a crowd or more, that their force sums could come to be beyond half of
+/// their range, each contribution being in its own (contact/fixed_point.h). A big ball among small grains is one.
 std::vector<std::int32_t> crowded_particles(std::span<const IndexPair> near, std::size_t owned);
 
 /// The first of the `crowded` particles whose force sum is beyond half of its range; nothing when there is none.

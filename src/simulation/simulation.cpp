@@ -25,6 +25,11 @@ constexpr std::int64_t outer_horizon_steps = ListHorizon::choices.front();  // t
 /// that are no longer near, out of order.
 std::size_t most_renewed(std::size_t owned) { return 16 + owned / 32; }
 
+/// Outer lists are made anew for all particles once so many have begun outer skins alone: by then the lists have pairs
+/// far apart, out of order, and the search for partners looks through all those one by one. Each may bring a pair to a
+/// particle that was not crowded.
+std::size_t most_outer_renewed(std::size_t owned) { return std::min(16 + owned / 16, crowd); }
+
 void append_particle(const NewParticles& from, std::size_t i, Particles& to) {
   to.record.push_back(
       {to.periodic.on_grid(from.position[i]), from.radius[i], from.velocity[i], 0.0, from.spin[i], 0.0});
@@ -154,6 +159,8 @@ void Simulation::move(std::int64_t k, double dt) {
     clock_.enter(Stage::lists);
     rebuild_lists();
   } else {
+    clock_.enter(Stage::lists);
+    renew_outer_skins();
     renew_inner_lists(moved);
     clock_.enter(Stage::ghosts);
     ghosts_.start(particles_);
@@ -231,7 +238,6 @@ bool Simulation::awaits_particles() const {
 /// Inner lists that hold every contact of this step, but for those of ghosts that are still on their way: theirs are
 /// renewed when they are here.
 void Simulation::renew_inner_lists(std::span<const std::int32_t> moved) {
-  clock_.enter(Stage::lists);
   const bool too_old = scene_.walls_travel() && steps_ + 1 - inner_selected_at_ >= inner_horizon_steps;
   if (too_old || renewed_skins_ + moved.size() > most_renewed(particles_.owned)) {
     select_near();
@@ -274,18 +280,47 @@ std::span<const std::int32_t> Simulation::find_moved(std::size_t moved) {
   return {moved_.begin(), kept};
 }
 
-/// Whether a particle of any rank has nothing left of its outer skin, or walls of theirs; agreed together with whether
-/// any rank raised an alarm.
+/// Whether a particle of any rank has nothing left of its outer skin, which cannot begin anew alone, or walls of
+/// theirs; agreed together with whether any rank raised an alarm.
 bool Simulation::agree_on_rebuild(std::span<const std::int32_t> moved) {
   constexpr int used_up = 1;
   constexpr int alarmed = 2;
   const bool too_old =
       scene_.walls_travel() && steps_ + 1 - outer_listed_at_ > outer_horizon_steps - inner_horizon_steps;
-  const int here = alarm_ ? alarmed : too_old || watch_.outer_is_used_up(particles_, moved) ? used_up : 0;
+  clock_.enter(Stage::lists);
+  const int here = alarm_ ? alarmed : too_old || !can_renew_outer_skins(moved) ? used_up : 0;
   clock_.enter(Stage::agreement);
   const int worst = comm_.size() == 1 ? here : comm_.max(here);
   if (worst == alarmed) check_guards();
   return worst != 0;
+}
+
+/// Finds who of these has nothing left of its outer skin, and whether all those can begin a new one alone.
+bool Simulation::can_renew_outer_skins(std::span<const std::int32_t> moved) {
+  at_large_.clear();
+  for (const std::int32_t moved_one : moved) {
+    const auto i = static_cast<std::size_t>(moved_one);
+    if (!watch_.outer_is_used_up(particles_, i)) continue;
+    if (materials_.is_held(particles_.material[i])) return false;
+    if (!ghosts_.is_alone(decomposition_, particles_, i, reach_of(particles_.record[i], watch_.outer()))) return false;
+    at_large_.push_back(moved_one);
+  }
+  return partner_search_.renewals() + at_large_.size() <= most_outer_renewed(particles_.owned);
+}
+
+/// Lets the outer skins of the particles at large begin anew, with the pairs and walls that this brings near. Their
+/// inner ones are used up as well, and follow.
+void Simulation::renew_outer_skins() {
+  for (const std::int32_t i : at_large_) watch_.begin_outer(particles_, static_cast<std::size_t>(i));
+  partner_search_.renew(particles_, watch_, at_large_);
+  for (const std::int32_t i : at_large_) {
+    const std::span<const std::int32_t> partners = partner_search_.partners(particles_, watch_, i);
+    if (partners.size() >= crowd) crowded_.push_back(i);
+    pairs_.list_more(particles_, i, partners);
+    wall_contacts_.list_more(particles_, walls(), i,
+                             watch_.outer_sphere(particles_, static_cast<std::size_t>(i)).reach);
+  }
+  counters_.outer_renewals += static_cast<std::int64_t>(at_large_.size());
 }
 
 void Simulation::rebuild_lists() { rebuild_lists(contact_memory()); }
@@ -294,16 +329,16 @@ void Simulation::rebuild_lists(ContactMemory memory) {
   wrap_positions(particles_);
   if (memory.pairs.rows() != particles_.owned) throw std::logic_error("contact memory does not match the particles");
   balance();
-  const std::size_t listed = pairs_.listed();
   pairs_.clear();
   admit(memory);
   migrate(comm_, decomposition_, particles_, memory);
   set_fixed_point_scales(materials_, deck_.guards.max_overlap, particles_);
   scene_.list_held(particles_);
   check_time_step();
-  choose_horizons(listed);
+  choose_horizons();
   std::vector<double> reach = ghosts_.set_up(decomposition_, watch_.outer(), particles_);
-  std::vector<IndexPair> near = near_pairs(particles_.record, reach, particles_.owned);
+  std::vector<CellLevel> levels = sort_into_levels(particles_.record, reach);
+  std::vector<IndexPair> near = near_pairs(levels, particles_.record, reach, particles_.owned);
   ignore_held(near, reach);
   const std::vector<bool> needed = ghosts_in(near, particles_.owned, particles_.total());
   ghosts_.keep(needed, particles_);
@@ -315,7 +350,9 @@ void Simulation::rebuild_lists(ContactMemory memory) {
   wall_contacts_.build(particles_, walls(), reach, memory.walls);
   memory = {};
   watch_.begin_outer(particles_);
+  partner_search_.begin(std::move(levels), particles_.owned);
   outer_listed_at_ = steps_;
+  outer_listed_ = pairs_.listed();
   moved_.resize(particles_.owned + scene_.held().listed());
   select_near();
   parked_ = 0;
@@ -357,8 +394,8 @@ void Simulation::balance() {
   ++counters_.bisections;
 }
 
-void Simulation::choose_horizons(std::size_t listed) {
-  ListHorizon::Counts counts = ListHorizon::count(particles_, watch_.outer().share, time_step_.step, listed);
+void Simulation::choose_horizons() {
+  ListHorizon::Counts counts = ListHorizon::count(particles_, watch_.outer().share, time_step_.step, outer_listed_);
   comm_.sum_elements(std::span(counts.begin(), counts.end()));
   list_horizon_.choose(counts);
   watch_.set_outer_horizon(static_cast<double>(list_horizon_.steps()) * time_step_.step);
@@ -426,7 +463,7 @@ bool Simulation::evaluate_group(PairGroup& group, double dt) {
 void Simulation::check_guards() const { throw_if_any(comm_, alarm_ ? alarm_ : find_unfit(guard_view(steps_))); }
 
 std::size_t Simulation::memory_bytes() const {
-  return particles_.bytes() + pairs_.bytes() + wall_contacts_.bytes() + watch_.bytes();
+  return particles_.bytes() + pairs_.bytes() + wall_contacts_.bytes() + watch_.bytes() + partner_search_.bytes();
 }
 
 std::optional<std::string> Simulation::take_warning() {

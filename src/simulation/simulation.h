@@ -15,6 +15,7 @@
 #include "integration/time_step.h"
 #include "neighbours/list_horizon.h"
 #include "neighbours/pair_lists.h"
+#include "neighbours/partner_search.h"
 #include "neighbours/skin_watch.h"
 #include "scene/insertion/insertion.h"
 #include "scene/particles/mass_unit.h"
@@ -32,6 +33,7 @@ namespace repose {
 /// How the lists and the decomposition have fared, on this rank unless stated otherwise.
 struct RunCounters {
   std::int64_t rebuilds = 0;          ///< of the outer lists
+  std::int64_t outer_renewals = 0;    ///< outer skins of this rank that began anew alone, since the set-up
   std::int64_t inner_selections = 0;  ///< of the inner lists alone, for all particles of this rank
   std::int64_t bisections = 0;        ///< new decompositions
   double imbalance = 1.0;             ///< cost of the busiest rank over the mean, at the last rebuild
@@ -129,13 +131,15 @@ class Simulation {
   void rebuild_lists();
   void rebuild_lists(ContactMemory memory);
   void balance();
-  void choose_horizons(std::size_t listed);
+  void choose_horizons();
   void check_time_step();
   GuardView guard_view(std::int64_t step) const;
   void count_leavers();
   void ignore_held(std::vector<IndexPair>& near, std::vector<double>& reach) const;
   std::span<const std::int32_t> find_moved(std::size_t moved);
   bool agree_on_rebuild(std::span<const std::int32_t> moved);
+  bool can_renew_outer_skins(std::span<const std::int32_t> moved);
+  void renew_outer_skins();
   void renew_inner_lists(std::span<const std::int32_t> moved);
   void renew_skins(std::span<const std::int32_t> moved);
   void select_near();
@@ -167,10 +171,13 @@ class Simulation {
   GhostExchange ghosts_;
   bool ghosts_on_their_way_ = false;
   std::int64_t outer_listed_at_ = 0;  ///< step
+  std::size_t outer_listed_ = 0;      ///< pairs then
   std::int64_t inner_selected_at_ = 0;
   std::size_t renewed_skins_ = 0;  ///< inner ones since then
   SkinWatch watch_{{}, {}};
-  std::vector<std::int32_t> moved_;  ///< particles whose inner skins are used up, with room for all
+  std::vector<std::int32_t> moved_;     ///< particles whose inner skins are used up, with room for all
+  std::vector<std::int32_t> at_large_;  ///< those of them whose outer skins are, too
+  PartnerSearch partner_search_;
   ListHorizon list_horizon_;
   PairLists pairs_;
   WallContacts wall_contacts_;

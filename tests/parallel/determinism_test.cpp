@@ -41,6 +41,7 @@ TEST(Determinism, SameBitsOnAllRanksAsOnOne) {
   const Outcome together = run(world, deck);
   EXPECT_GT(together.left, 20);  // the gate has opened and grains have left
   EXPECT_GT(together.counters.rebuilds, 20);
+  EXPECT_GT(world.sum(together.counters.outer_renewals), world.size() == 1 ? 1000 : 0);  // few are clear of other ranks
   if (world.size() > 1) {
     EXPECT_GT(together.counters.bisections, 2);
   }

@@ -188,6 +188,40 @@ TEST_P(WallContactsTest, AParkedParticleTouchesNoPlane) {
   }
 }
 
+// One comes to its first wall, one to a second, one from one wall to another: as if all lists had been made anew.
+TEST_P(WallContactsTest, WallsListedForSingleGrainsAreFelt) {
+  const auto start = [&] {
+    Setting s(GetParam());
+    s.add_wall({}, {0.0, 0.0, 1.0});
+    s.add_wall({}, {1.0, 0.0, 0.0});
+    s.add_grain({0.02, 0.0, 5.0 * radius}, {0.002, 0.0, -0.003}, {});
+    s.add_grain({0.03, 0.0, 5.0 * radius}, {0.002, 0.0, -0.003}, {});
+    s.add_grain({0.02, 0.01, 0.99 * radius}, {0.002, 0.0, -0.003}, {0.0, 5.0, 0.0});
+    s.add_grain({0.99 * radius, 0.02, 0.02}, {-0.002, 0.0, -0.003}, {0.0, 5.0, 0.0});
+    s.build();
+    s.evaluate();
+    s.particles.record[0].position = {0.02, 0.0, 0.99 * radius};
+    s.particles.record[2].position = {0.99 * radius, 0.01, 0.99 * radius};
+    s.particles.record[3].position = {0.02, 0.02, 0.99 * radius};
+    return s;
+  };
+  Setting rebuilt = start();
+  rebuilt.build(rebuilt.contacts.memory(4));
+  rebuilt.evaluate();
+  Setting single = start();
+  for (const std::int32_t i : {3, 0, 2, 0}) single.contacts.list_more(single.particles, single.walls, i, 1.3 * radius);
+  single.contacts.search(std::vector<std::int32_t>{0, 2, 3});
+  single.evaluate();
+  EXPECT_EQ(single.touching().size(), 4U);
+  EXPECT_EQ(std::memcmp(single.particles.sum.data(), rebuilt.particles.sum.data(), 4 * sizeof(ForceSum)), 0);
+  if (GetParam()) {
+    single.contacts.select_near(single.particles, single.walls, {0.3, 0.0});
+    single.evaluate();
+    rebuilt.evaluate();
+    EXPECT_EQ(std::memcmp(single.particles.sum.data(), rebuilt.particles.sum.data(), 4 * sizeof(ForceSum)), 0);
+  }
+}
+
 WallDeck funnel() {
   WallDeck deck;
   deck.name = "funnel";

@@ -241,6 +241,41 @@ TEST(PairLists, LatePairsAreListedOnceAndRemember) {
   EXPECT_GT(late, 50U);
 }
 
+// Lists of some pairs only, to which the rest comes particle by particle, are those of all pairs.
+TEST(PairLists, PairsOfSingleParticlesAreListedOnce) {
+  for (const CloudOptions& options : clouds()) {
+    Particles p = random_cloud(47, options);
+    p.owned = p.total();
+    PairLists lists;
+    lists.build(p, listed(p, inner), nothing(p.owned));
+    lists.select_near(spheres(p, inner));
+    give_histories(p, lists);
+    std::vector<std::vector<std::int32_t>> partners(p.owned);
+    for (const auto& [i, j] : listed(p, outer)) {
+      partners[static_cast<std::size_t>(i)].push_back(j);
+      partners[static_cast<std::size_t>(j)].push_back(i);
+    }
+    for (std::size_t i = 0; i < p.owned; i += 2) lists.list_more(p, static_cast<std::int32_t>(i), partners[i]);
+    lists.select_near(spheres(p, inner));
+    EXPECT_EQ(inner_pairs(p, lists), brute_force(p, inner));
+    EXPECT_EQ(faithful_lanes(p, lists), lists.lanes());
+    std::vector<std::int32_t> all(p.owned);
+    for (std::size_t i = 0; i < p.owned; ++i) {
+      all[i] = static_cast<std::int32_t>(i);
+      lists.list_more(p, all[i], partners[i]);
+    }
+    EXPECT_EQ(outer_pairs(p, lists), brute_force(p, outer));
+    const std::size_t with_history = lists.lanes();
+    lists.add_near(spheres(p, outer), all);
+    EXPECT_EQ(inner_pairs(p, lists), brute_force(p, outer));
+    EXPECT_EQ(faithful_lanes(p, lists), with_history);
+    lists.clear();
+    lists.build(p, listed(p, outer), nothing(p.owned));
+    for (std::size_t i = 0; i < p.owned; ++i) lists.list_more(p, all[i], partners[i]);
+    EXPECT_EQ(lists.listed(), brute_force(p, outer).size());
+  }
+}
+
 TEST(PairLists, NewListsTakeTheMemoryOfTheOldOnes) {
   const Particles p = random_cloud(48, clouds()[1]);
   PairLists lists;

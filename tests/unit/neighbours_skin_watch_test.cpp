@@ -3,6 +3,7 @@
 
 #include "deck/deck.h"
 #include "integration/velocity_verlet.h"
+#include "neighbours/partner_search.h"
 #include "neighbours/skin_watch.h"
 #include "neighbours_samples.h"
 
@@ -22,11 +23,18 @@ std::vector<std::int32_t> moved_ones(const SkinWatch& watch, Particles particles
   return moved;
 }
 
+/// Those of them whose outer skins are used up.
+std::vector<std::int32_t> at_large(const SkinWatch& watch, const Particles& particles,
+                                   std::vector<std::int32_t> moved) {
+  std::erase_if(moved, [&](std::int32_t i) { return !watch.outer_is_used_up(particles, static_cast<std::size_t>(i)); });
+  return moved;
+}
+
 /// What a step on one rank makes of them.
 Skins state_of(const SkinWatch& watch, const Particles& particles) {
   const std::vector<std::int32_t> moved = moved_ones(watch, particles);
   if (moved.empty()) return Skins::last;
-  return watch.outer_is_used_up(particles, moved) ? Skins::outer_used_up : Skins::inner_used_up;
+  return at_large(watch, particles, moved).empty() ? Skins::inner_used_up : Skins::outer_used_up;
 }
 
 constexpr SkinRule outer = {0.3, 8e-5};
@@ -151,15 +159,18 @@ TEST(SkinWatch, NoContactIsEverMissed) {
   p.owned = p.total();
   PairLists lists;
   SkinWatch watch(inner, outer);
+  PartnerSearch search;
   const Csr<PairMemory> nothing = Csr<PairMemory>::empty(p.owned);
   const auto rebuild = [&] {
     lists.build(p, listed(p, outer), nothing);
     watch = watching(p);
+    search.begin(sort_into_levels(std::span(p.record).first(p.total()), reaches(p, outer)), p.owned);
     lists.select_near(watch.inner_spheres());
   };
   rebuild();
   int rebuilds = 0;
   int renewals = 0;
+  std::size_t outer_renewals = 0;
   std::size_t touching = 0;
   for (int step = 0; step < 1500; ++step) {
     for (int kick = 0; kick < 2; ++kick) {
@@ -171,7 +182,15 @@ TEST(SkinWatch, NoContactIsEverMissed) {
       if (squared_norm(r.position) > 4e-4) r.velocity = -20.0 * r.position;  // back to the cloud
     }
     const std::vector<std::int32_t> moved = moved_ones(watch, p);
-    if (watch.outer_is_used_up(p, moved)) {
+    const std::vector<std::int32_t> leavers = at_large(watch, p, moved);
+    const bool too_many = search.renewals() + leavers.size() > 20;
+    if (!too_many) {
+      for (const std::int32_t i : leavers) watch.begin_outer(p, static_cast<std::size_t>(i));
+      search.renew(p, watch, leavers);
+      for (const std::int32_t i : leavers) lists.list_more(p, i, search.partners(p, watch, i));
+      outer_renewals += leavers.size();
+    }
+    if (too_many) {
       rebuild();
       ++rebuilds;
     } else if (step % 50 == 0) {
@@ -190,6 +209,7 @@ TEST(SkinWatch, NoContactIsEverMissed) {
   }
   EXPECT_GT(rebuilds, 5);
   EXPECT_GT(renewals, rebuilds);
+  EXPECT_GT(outer_renewals, 100U);
   EXPECT_GT(touching, 10000U);
 }
 

@@ -9,6 +9,8 @@ namespace {
 constexpr std::size_t bins = 128;  // of each histogram
 constexpr int refinements = 4;     // histograms per plane: 128^4 steps of the part's length
 
+constexpr double places = 4096;       // along a side, so few that sums of squares of 1e10 particles do not wrap
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -54,8 +56,8 @@ Decomposition Decomposition::bisect(const Communicator& comm, int parts, std::sp
   return tree;
 }
 
-/// Finds the dividing planes of all `parts` of one level together: per part a histogram of the cost along its longest
-/// side, refined around the bin where the share of the lower half is reached.
+/// Finds the dividing planes of all `parts` of one level together: per part a histogram of the cost along the axis on
+/// which it is spread most, refined around the bin where the share of the lower half is reached.
 void Decomposition::place_planes(const Communicator& comm, std::span<const int> parts, std::span<const Vec3> positions,
                                  std::span<const std::int64_t> cost, std::span<const int> part_of) {
   if (parts.empty()) return;
@@ -75,16 +77,42 @@ void Decomposition::place_planes(const Communicator& comm, std::span<const int> 
   }
   comm.max_elements(std::span(extent.begin(), extent.end()));
 
+  // Moments of the cost along each side, in integers: (cost, sums of cost times place, of cost times its square).
+  const auto low_end = [&](std::size_t p, int axis) { return -extent[6 * p + 3 + index(axis)]; };
+  const auto length = [&](std::size_t p, int axis) { return extent[6 * p + index(axis)] - low_end(p, axis); };
+  std::vector<std::int64_t> moments(9 * parts.size(), 0);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const int part = row[index(part_of[i])];
+    if (part < 0) continue;
+    const std::size_t p = index(part);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(length(p, axis) > 0.0)) continue;
+      const double share = (along(positions[i], axis) - low_end(p, axis)) / length(p, axis);
+      const auto place = static_cast<std::int64_t>(share * places);
+      std::int64_t* m = &moments[9 * p + 3 * index(axis)];
+      m[0] += cost[i];
+      m[1] += cost[i] * place;
+      m[2] += cost[i] * place * place;
+    }
+  }
+  comm.sum_elements(std::span(moments.begin(), moments.end()));
+
   std::vector<double> low(parts.size(), 0.0);
   std::vector<double> width(parts.size(), 0.0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     Node& node = nodes_[index(parts[p])];
+    double most = -1.0;
     for (int axis = 0; axis < 3; ++axis) {
-      const double length = extent[6 * p + index(axis)] + extent[6 * p + 3 + index(axis)];
-      if (!(length > width[p])) continue;  // also leaves out parts without particles
+      const std::int64_t* m = &moments[9 * p + 3 * index(axis)];
+      if (m[0] == 0) continue;  // also leaves out parts without particles
+      const double mean = static_cast<double>(m[1]) / static_cast<double>(m[0]);
+      const double variance = static_cast<double>(m[2]) / static_cast<double>(m[0]) - mean * mean;
+      const double spread = variance * length(p, axis) * length(p, axis);
+      if (spread <= most) continue;
+      most = spread;
       node.axis = axis;
-      width[p] = length;
-      low[p] = -extent[6 * p + 3 + index(axis)];
+      width[p] = length(p, axis);
+      low[p] = low_end(p, axis);
     }
   }
 

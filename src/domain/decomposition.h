@@ -16,7 +16,8 @@ class Decomposition {
   /// Everything belongs to rank 0.
   explicit Decomposition(int ranks = 1);
 
-  /// Collective. Bisects the particles of all ranks, each with a cost (positive), along the longest side of each part.
+  /// Collective. Bisects the particles of all ranks, each with a cost (positive), each part along the axis on which its
+  /// cost is spread most (variance): a few scattered particles make a side long, but do not call for a plane across it.
   static Decomposition bisect(const Communicator& comm, std::span<const Vec3> positions,
                               std::span<const std::int64_t> cost) {
     return bisect(comm, comm.size(), positions, cost);

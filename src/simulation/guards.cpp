@@ -131,17 +131,23 @@ std::optional<Alarm> find_full_sum(const GuardView& view, std::span<const std::i
   return {};
 }
 
+std::optional<std::size_t> fastest_particle(const Particles& particles) {
+  std::optional<std::size_t> fastest;
+  double greatest = -1.0;
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    const double speed = norm(particles.record[i].velocity);
+    if (!(speed > greatest)) continue;
+    greatest = speed;
+    fastest = i;
+  }
+  return fastest;
+}
+
 std::optional<std::string> check_time_step(const Communicator& comm, const GuardView& view, const TimeStep& time_step,
                                            bool wanted) {
   const Particles& particles = view.particles;
-  std::size_t culprit = 0;
-  double fastest_here = -1.0;
-  for (std::size_t i = 0; i < particles.owned; ++i) {
-    const double speed = norm(particles.record[i].velocity);
-    if (!(speed > fastest_here)) continue;
-    fastest_here = speed;
-    culprit = i;
-  }
+  const std::optional<std::size_t> culprit = fastest_particle(particles);
+  const double fastest_here = culprit ? norm(particles.record[*culprit].velocity) : -1.0;
   const double fastest = comm.max(fastest_here);
   if (fastest < 0.0) return {};
   const double excess = time_step_excess(time_step, fastest);
@@ -150,12 +156,12 @@ std::optional<std::string> check_time_step(const Communicator& comm, const Guard
 
   std::optional<Alarm> alarm;
   if (fastest_here == fastest) {
-    const Vec3 place = particles.position(culprit);
-    alarm = alarm_at(view, culprit, particles.record[culprit].position,
+    const Vec3 place = particles.position(*culprit);
+    alarm = alarm_at(view, *culprit, particles.record[*culprit].position,
                      fmt::format("particle {} at {} moves at {:.3g} m/s, for which the time step {:.3g} s is {:.2f} "
                                  "times its criterion (expected {:.3g} m/s; an error at 2); set time.expected_speed to "
                                  "{:.3g} or shorten time.step",
-                                 particles.id[culprit], place_text(place), fastest, time_step.step, excess,
+                                 particles.id[*culprit], place_text(place), fastest, time_step.step, excess,
                                  time_step.speed, fastest));
   }
   if (is_error) throw_if_any(comm, alarm);

@@ -73,6 +73,9 @@ std::vector<std::int32_t> crowded_particles(std::span<const IndexPair> near, std
 /// The first of the `crowded` particles whose force sum is beyond half of its range; nothing when there is none.
 std::optional<Alarm> find_full_sum(const GuardView& view, std::span<const std::int32_t> crowded);
 
+/// Of the owned ones; nothing when there is none.
+std::optional<std::size_t> fastest_particle(const Particles& particles);
+
 /// Collective. The criteria of the time step with the fastest particle: GuardError beyond twice the share; beyond the
 /// share a warning, the same on all ranks, if one is `wanted`.
 std::optional<std::string> check_time_step(const Communicator& comm, const GuardView& view, const TimeStep& time_step,

@@ -295,13 +295,16 @@ bool Simulation::agree_on_rebuild(std::span<const std::int32_t> moved) {
   return worst != 0;
 }
 
-/// Finds who of these has nothing left of its outer skin, and whether all those can begin a new one alone.
+/// Finds who of these has nothing left of its outer skin, and whether all those can begin a new one alone. Held ones,
+/// and those that gather speed, for which the criteria of the time step are to be looked at again, cannot.
 bool Simulation::can_renew_outer_skins(std::span<const std::int32_t> moved) {
+  constexpr double most_faster = 1.25;  // 1.05 times the Hertz criterion
   at_large_.clear();
   for (const std::int32_t moved_one : moved) {
     const auto i = static_cast<std::size_t>(moved_one);
     if (!watch_.outer_is_used_up(particles_, i)) continue;
     if (materials_.is_held(particles_.material[i])) return false;
+    if (norm(particles_.record[i].velocity) > most_faster * checked_speed_) return false;
     if (!ghosts_.is_alone(decomposition_, particles_, i, reach_of(particles_.record[i], watch_.outer()))) return false;
     at_large_.push_back(moved_one);
   }
@@ -404,6 +407,8 @@ void Simulation::choose_horizons() {
 /// The criteria of the time step with the true greatest speed, with one warning in all.
 void Simulation::check_time_step() {
   const std::int64_t step = counters_.rebuilds == 0 ? steps_ : steps_ + 1;
+  const std::optional<std::size_t> fastest = fastest_particle(particles_);
+  checked_speed_ = std::max(time_step_.speed, fastest ? norm(particles_.record[*fastest].velocity) : 0.0);
   const std::optional<std::string> warning =
       repose::check_time_step(comm_, guard_view(step), time_step_, !warned_of_time_step_);
   if (!warning) return;

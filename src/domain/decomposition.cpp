@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t bins = 128;  // of each histogram
 constexpr int refinements = 4;     // histograms per plane: 128^4 steps of the part's length
 
-constexpr double places = 4096;       // along a side, so few that sums of squares of 1e10 particles do not wrap
+constexpr double places = 4096;  // along a side, so few that sums of squares of 1e10 particles do not wrap
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 

@@ -28,10 +28,7 @@ void fill_tail(BigVector<ContactBlock>& blocks, std::size_t lanes, std::size_t d
 }
 
 bool are_near(const PairGroup::Pair& pair, std::span<const ReachSphere> spheres) {
-  const ReachSphere& a = spheres[index(pair.first)];
-  const ReachSphere& b = spheres[index(pair.second)];
-  const double limit = a.reach + b.reach;
-  return squared_norm(a.position - b.position) < limit * limit;
+  return overlap(spheres[index(pair.first)], spheres[index(pair.second)]);
 }
 
 Csr<std::int32_t> pairs_by_particle(std::span<const PairGroup::Pair> pairs, std::size_t particles) {

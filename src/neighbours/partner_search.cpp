@@ -3,14 +3,6 @@
 #include <utility>
 
 namespace repose {
-namespace {
-
-bool overlap(const ReachSphere& a, const ReachSphere& b) {
-  const double limit = a.reach + b.reach;
-  return squared_norm(a.position - b.position) < limit * limit;
-}
-
-}  // namespace
 
 void PartnerSearch::begin(std::vector<CellLevel> levels, std::size_t owned) {
   levels_ = std::move(levels);

@@ -144,24 +144,23 @@ std::optional<std::size_t> fastest_particle(const Particles& particles) {
 }
 
 std::optional<std::string> check_time_step(const Communicator& comm, const GuardView& view, const TimeStep& time_step,
-                                           bool wanted) {
+                                           std::optional<std::size_t> fastest_here, bool wanted) {
   const Particles& particles = view.particles;
-  const std::optional<std::size_t> culprit = fastest_particle(particles);
-  const double fastest_here = culprit ? norm(particles.record[*culprit].velocity) : -1.0;
-  const double fastest = comm.max(fastest_here);
+  const double speed_here = fastest_here ? norm(particles.record[*fastest_here].velocity) : -1.0;
+  const double fastest = comm.max(speed_here);
   if (fastest < 0.0) return {};
   const double excess = time_step_excess(time_step, fastest);
   const bool is_error = excess > 2.0;
   if (!is_error && !(wanted && excess > 1.0 + 1e-9)) return {};
 
   std::optional<Alarm> alarm;
-  if (fastest_here == fastest) {
-    const Vec3 place = particles.position(*culprit);
-    alarm = alarm_at(view, *culprit, particles.record[*culprit].position,
+  if (speed_here == fastest) {
+    const Vec3 place = particles.position(*fastest_here);
+    alarm = alarm_at(view, *fastest_here, particles.record[*fastest_here].position,
                      fmt::format("particle {} at {} moves at {:.3g} m/s, for which the time step {:.3g} s is {:.2f} "
                                  "times its criterion (expected {:.3g} m/s; an error at 2); set time.expected_speed to "
                                  "{:.3g} or shorten time.step",
-                                 particles.id[*culprit], place_text(place), fastest, time_step.step, excess,
+                                 particles.id[*fastest_here], place_text(place), fastest, time_step.step, excess,
                                  time_step.speed, fastest));
   }
   if (is_error) throw_if_any(comm, alarm);

@@ -76,9 +76,9 @@ std::optional<Alarm> find_full_sum(const GuardView& view, std::span<const std::i
 /// Of the owned ones; nothing when there is none.
 std::optional<std::size_t> fastest_particle(const Particles& particles);
 
-/// Collective. The criteria of the time step with the fastest particle: GuardError beyond twice the share; beyond the
-/// share a warning, the same on all ranks, if one is `wanted`.
+/// Collective. The criteria of the time step with the fastest particle of all ranks, by fastest_particle of each:
+/// GuardError beyond twice the share; beyond the share a warning, the same on all ranks, if one is `wanted`.
 std::optional<std::string> check_time_step(const Communicator& comm, const GuardView& view, const TimeStep& time_step,
-                                           bool wanted);
+                                           std::optional<std::size_t> fastest_here, bool wanted);
 
 }  // namespace repose

@@ -155,11 +155,10 @@ void Simulation::move(std::int64_t k, double dt) {
   const bool enter = steps_ + 1 == pouring_.next_step() && pour();
   const bool grows = growth_.enabled && (steps_ + 1) % growth_.every == 0;
   if (grows) grow();
+  clock_.enter(Stage::lists);
   if (enter || grows || outer_used_up) {
-    clock_.enter(Stage::lists);
     rebuild_lists();
   } else {
-    clock_.enter(Stage::lists);
     renew_outer_skins();
     renew_inner_lists(moved);
     clock_.enter(Stage::ghosts);
@@ -410,7 +409,7 @@ void Simulation::check_time_step() {
   const std::optional<std::size_t> fastest = fastest_particle(particles_);
   checked_speed_ = std::max(time_step_.speed, fastest ? norm(particles_.record[*fastest].velocity) : 0.0);
   const std::optional<std::string> warning =
-      repose::check_time_step(comm_, guard_view(step), time_step_, !warned_of_time_step_);
+      repose::check_time_step(comm_, guard_view(step), time_step_, fastest, !warned_of_time_step_);
   if (!warning) return;
   warned_of_time_step_ = true;
   warn(*warning);

@@ -37,6 +37,11 @@ struct alignas(32) ReachSphere {
   double reach;  ///< m
 };
 
+inline bool overlap(const ReachSphere& a, const ReachSphere& b) {
+  const double limit = a.reach + b.reach;
+  return squared_norm(a.position - b.position) < limit * limit;
+}
+
 inline double skin_of(const ParticleRecord& particle, const SkinRule& rule) {
   return std::min(rule.share * particle.radius + rule.horizon * norm(particle.velocity), rule.longest);
 }

@@ -16,7 +16,7 @@ import time
 
 import h5py
 
-from faulty_runs import Job, Program
+from faulty_runs import Job, Program, wait_until
 
 DECK = """
 base = "{base}"
@@ -82,11 +82,14 @@ def finished(output):
     return {path: os.stat(path).st_mtime_ns for path in glob.glob(os.path.join(runs, "**", "summary.json"), recursive=True)}
 
 
-def kill_once(program, deck, output, draw, patience):
-    """Whether the job was alive to be killed."""
+def kill_once(program, deck, output, draw, patience, share):
+    """kill -9 at a moment drawn, or sooner when as many further runs as are its share are complete, since how far a job comes
+    by then depends on the machine. Whether the job was alive to be killed."""
     ranks = draw.randint(1, 4)
+    moment = time.monotonic() + draw.uniform(0.2, patience)
+    enough = len(finished(output)) + share
     with Job(arguments(program, deck, output, ranks)) as job:
-        time.sleep(draw.uniform(0.2, patience))
+        wait_until(lambda: time.monotonic() > moment or len(finished(output)) >= enough, job)
         job.kill()
         code, _, err = job.end()
     assert code in (0, -signal.SIGKILL), f"exit {code}: {err}"
@@ -114,9 +117,10 @@ def main():
             code, _, err = job.end(1200)
         assert code == 0, err
         patience = 2.0 * (time.monotonic() - begin) / kills
+        share = max(1, len(finished(calm)) // kills)
         killed = 0
         complete = {}
-        while killed < kills and kill_once(program, deck, wild, draw, patience):
+        while killed < kills and kill_once(program, deck, wild, draw, patience, share):
             killed += 1
             now = finished(wild)
             assert all(now[path] == when for path, when in complete.items()), "a complete run was run again"

@@ -6,6 +6,7 @@
 
 #include "base/vec3.h"
 #include "comm/communicator.h"
+#include "domain/dividing_planes.h"
 
 namespace repose {
 
@@ -38,8 +39,7 @@ class Decomposition {
   struct Node {
     int first_rank;  ///< lowest rank of this part
     int ranks;       ///< how many
-    int axis = 0;    ///< of the plane that divides it
-    double plane = 0.0;
+    DividingPlane plane = {};
     int below = -1;  ///< child nodes, -1 at a leaf
     int above = -1;
   };
@@ -54,11 +54,10 @@ class Decomposition {
       visit(node.first_rank, distance);
       return;
     }
-    const double over = along(position, node.axis) - node.plane;  // positive: on the upper side
-    descend(node.below, position, limit, over < 0.0 ? away : with(away, node.axis, over), visit);
-    descend(node.above, position, limit, over < 0.0 ? with(away, node.axis, -over) : away, visit);
+    const double over = node.plane.offset(position);  // positive: on the upper side
+    descend(node.below, position, limit, over < 0.0 ? away : with(away, node.plane.axis, over), visit);
+    descend(node.above, position, limit, over < 0.0 ? with(away, node.plane.axis, -over) : away, visit);
   }
-  static double along(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
   static Vec3 with(Vec3 v, int axis, double value) {
     (axis == 0 ? v.x : axis == 1 ? v.y : v.z) = value;
     return v;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-// A level (cell_levels.h) has cells as wide as two of its reaches, so that a particle finds all partners in its own and
-// in higher levels in the 3 x 3 x 3 cells about its own place: a large ball in fine grains does not search for them,
-// they find the ball.
+// A level (cell_levels.h) has cells as wide as two of its reaches, so that a particle finds all partners of its own
+// level in the 3 x 3 x 3 cells about its own place. Those of a higher level it finds in cells as wide as a reach of
+// each together: a large ball in fine grains does not search for them, they find the ball.
 //
 // No table holds the cells: members and searchers of a level are sorted by cell, x before y before z. For each of the
 // 3 x 3 columns of cells along z the partners of successive searchers then lie in successive places, so that one pass
@@ -80,8 +80,15 @@ constexpr std::array<std::uint64_t, 9> all_columns = {std::uint64_t{0} - x_step 
                                                       x_step,
                                                       x_step + y_step};
 
-/// Particles of the `lower` levels that lie within `range` of the members' box, so that they may have a partner there.
-std::vector<std::int32_t> searchers_of(std::span<const CellLevel> lower, std::span<const Sorted> members, double range,
+std::vector<std::int32_t> particles_of(const CellLevel& level) {
+  std::vector<std::int32_t> chosen;
+  chosen.reserve(level.members.size());
+  for (const CellMember& m : level.members) chosen.push_back(m.particle);
+  return chosen;
+}
+
+/// Particles of a level that lie within `range` of the members' box, so that they may have a partner there.
+std::vector<std::int32_t> searchers_of(const CellLevel& level, std::span<const Sorted> members, double range,
                                        std::span<const ParticleRecord> particles) {
   Vec3 low = members.front().position;
   Vec3 high = low;
@@ -93,15 +100,26 @@ std::vector<std::int32_t> searchers_of(std::span<const CellLevel> lower, std::sp
   low -= margin;
   high += margin;
   std::vector<std::int32_t> searchers;
-  for (const CellLevel& level : lower) {
-    for (const CellMember& m : level.members) {
-      const Vec3& p = particles[static_cast<std::size_t>(m.particle)].position;
-      if (p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z) {
-        searchers.push_back(m.particle);
-      }
+  for (const CellMember& m : level.members) {
+    const Vec3& p = particles[static_cast<std::size_t>(m.particle)].position;
+    if (p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z) {
+      searchers.push_back(m.particle);
     }
   }
   return searchers;
+}
+
+/// Calls visit for the near pairs between two levels.
+template <class Visit>
+void sweep_between(const CellLevel& lower, const CellLevel& higher, std::span<const ParticleRecord> particles,
+                   std::span<const double> reach, const Visit& visit) {
+  const double range = (lower.longest + higher.longest) * (1.0 + 1e-9);  // more than what rounding could add to it
+  const Cells cells = {higher.cells.origin, 1.0 / range};
+  const auto sorted = [&](std::span<const std::int32_t> chosen) {
+    return with_reaches(sort_by_cell(cells, particles, chosen), particles, reach);
+  };
+  const std::vector<Sorted> members = sorted(particles_of(higher));
+  sweep(sorted(searchers_of(lower, members, range, particles)), members, all_columns, visit);
 }
 
 /// In the order of the second, higher index.
@@ -124,12 +142,8 @@ std::vector<IndexPair> near_pairs(std::span<const CellLevel> levels, std::span<c
     if (static_cast<std::size_t>(pair[0]) < owned) pairs.push_back(pair);
   };
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    const Cells& cells = levels[k].cells;
-    const std::vector<Sorted> members = with_reaches(levels[k].members, particles, reach);
-    sweep_own(members, visit);
-    const std::vector<std::int32_t> lower =
-        searchers_of(levels.first(k), members, 1.0 / cells.inverse_width, particles);
-    sweep(with_reaches(sort_by_cell(cells, particles, lower), particles, reach), members, all_columns, visit);
+    sweep_own(with_reaches(levels[k].members, particles, reach), visit);
+    for (const CellLevel& lower : levels.first(k)) sweep_between(lower, levels[k], particles, reach, visit);
   }
   return sort_by_second(pairs, particles.size());
 }

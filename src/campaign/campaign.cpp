@@ -144,8 +144,8 @@ std::vector<std::vector<std::size_t>> shared_parts(const Communicator& world, co
                                                    std::span<const StudyRun> runs, PlannedWork& work) {
   std::vector<std::size_t> order;
   agree_after_root(world, [&] {
-    order = longest_first(runs, read_run_folders(plan.directory, runs, plan.figures), plan.study.parameters,
-                          [&](const StudyRun& run) { return planned_particle_steps(work, run); });
+    order = begun_then_longest(runs, read_run_folders(plan.directory, runs, plan.figures), plan.study.parameters,
+                               [&](const StudyRun& run) { return planned_particle_steps(work, run); });
   });
   world.broadcast(order);
   return by_ranks(order, runs);

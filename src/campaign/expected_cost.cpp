@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace repose {
 namespace {
@@ -44,8 +45,8 @@ double expected_particle_steps(std::span<const StudyRun> runs, std::span<const R
   return weights > 0.0 ? std::exp(sum / weights) : 1.0;
 }
 
-std::vector<std::size_t> longest_first(std::span<const StudyRun> runs, std::span<const RunRecord> records,
-                                       std::span<const ParameterDeck> parameters, const WorkOf& work_of) {
+std::vector<std::size_t> begun_then_longest(std::span<const StudyRun> runs, std::span<const RunRecord> records,
+                                            std::span<const ParameterDeck> parameters, const WorkOf& work_of) {
   const auto waits = [](const RunRecord& record) { return record.state == RunState::waiting; };
   if (std::none_of(records.begin(), records.end(), waits)) return {};  // the work of a run takes its set-up
   std::map<std::tuple<std::size_t, std::size_t, std::vector<double>>, double> work;  // that of one seed is that of all
@@ -69,7 +70,9 @@ std::vector<std::size_t> longest_first(std::span<const StudyRun> runs, std::span
     }
     cost[i] = work[key_of(runs[i])] / speed;
   }
-  std::stable_sort(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) { return cost[a] > cost[b]; });
+  std::stable_sort(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(records[a].has_checkpoint, cost[a]) > std::pair(records[b].has_checkpoint, cost[b]);
+  });
   return waiting;
 }
 

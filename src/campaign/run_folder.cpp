@@ -11,6 +11,7 @@
 #include "files/directory.h"
 #include "files/json_text.h"
 #include "files/shared_file.h"
+#include "run/checkpoints.h"
 #include "run/summary_figures.h"
 
 namespace repose {
@@ -67,6 +68,7 @@ RunRecord read_run_folder(const std::string& folder, std::span<const std::string
   RunRecord record;
   record.figures.resize(figures.size());
   const std::string failure = folder + failure_file;
+  record.has_checkpoint = std::filesystem::exists(folder) && !checkpoints_in(folder).empty();
   if (!std::filesystem::exists(failure)) return record;
   const Json json = read_json(failure);
   if (value_of<int>(json, "code", failure) != static_cast<int>(ExitCode::physics)) return record;

@@ -25,6 +25,7 @@ struct RunRecord {
   int ranks = 0;
   std::int64_t restarts = 0;
   double particle_steps = 0.0;  ///< its work: grains times steps, which no rank or clock changes; 0: not known
+  bool has_checkpoint = false;  ///< it waits, but was begun
 };
 
 /// Reads a run's folder, which need not exist. A run that failed for what may be gone by now (a full disk, a deck that

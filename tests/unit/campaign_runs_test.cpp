@@ -102,10 +102,11 @@ TEST(RankGroups, SuccessiveRanksEvenly) {
 TEST(ExpectedCost, ByWorkUntilMoreIsKnown) {
   const std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}, {0.5, 0.2}, {0.9, 0.2}});
   const std::vector<RunRecord> records(6);
-  EXPECT_EQ(longest_first(runs, records, study().parameters, [](const StudyRun&) { return 1.0; }),
+  EXPECT_EQ(begun_then_longest(runs, records, study().parameters, [](const StudyRun&) { return 1.0; }),
             (Order{0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(longest_first(runs, records, study().parameters, [](const StudyRun& run) { return 10.0 * run.values[0]; }),
-            (Order{4, 5, 2, 3, 0, 1}));
+  EXPECT_EQ(
+      begun_then_longest(runs, records, study().parameters, [](const StudyRun& run) { return 10.0 * run.values[0]; }),
+      (Order{4, 5, 2, 3, 0, 1}));
 }
 
 TEST(ExpectedCost, AtTheSpeedOfTheNearestCompleteRun) {
@@ -113,9 +114,20 @@ TEST(ExpectedCost, AtTheSpeedOfTheNearestCompleteRun) {
   std::vector<RunRecord> records(6);
   records[0] = {RunState::done, "", {}, "", 10.0, 1, 0};
   records[4] = {RunState::plugged, "", {}, "", 5.0, 4, 0};
-  EXPECT_EQ(longest_first(runs, records, study().parameters, [](const StudyRun&) { return 7.0; }), (Order{5, 1, 2, 3}));
+  EXPECT_EQ(begun_then_longest(runs, records, study().parameters, [](const StudyRun&) { return 7.0; }),
+            (Order{5, 1, 2, 3}));
   records[4].wall_seconds = 1.0;
-  EXPECT_EQ(longest_first(runs, records, study().parameters, [](const StudyRun&) { return 7.0; }), (Order{1, 2, 3, 5}));
+  EXPECT_EQ(begun_then_longest(runs, records, study().parameters, [](const StudyRun&) { return 7.0; }),
+            (Order{1, 2, 3, 5}));
+}
+
+TEST(ExpectedCost, WhatHasBegunIsEndedBeforeMoreBegins) {
+  const std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}, {0.5, 0.2}, {0.9, 0.2}});
+  std::vector<RunRecord> records(6);
+  records[0].has_checkpoint = records[3].has_checkpoint = true;
+  EXPECT_EQ(
+      begun_then_longest(runs, records, study().parameters, [](const StudyRun& run) { return 10.0 * run.values[0]; }),
+      (Order{3, 0, 4, 5, 2, 1}));
 }
 
 CalibrationDeck grid() {

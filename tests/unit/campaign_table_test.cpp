@@ -40,6 +40,15 @@ TEST_F(RunFolder, WaitsUntilThereIsASummary) {
   EXPECT_EQ(record.figures.size(), 2U);
 }
 
+TEST_F(RunFolder, HasBegunWithItsFirstCheckpoint) {
+  write("checkpoint_0000000100.hdf.partial", "");
+  EXPECT_FALSE(read_run_folder(folder, figures).has_checkpoint);
+  write("checkpoint_0000000100.hdf", "");
+  const RunRecord record = read_run_folder(folder, figures);
+  EXPECT_TRUE(record.has_checkpoint);
+  EXPECT_EQ(record.state, RunState::waiting);
+}
+
 TEST_F(RunFolder, DoneOrPlugged) {
   write("summary.json", summary_with("false"));
   const RunRecord record = read_run_folder(folder, figures);

@@ -100,7 +100,11 @@ def values_of(summaries, figure):
 
 def spread(summaries, name, count, figure):
     """Mean and standard error of a figure over the runs of `with_seeds` that have it, and how many have."""
-    values = values_of(of_seeds(summaries, name, count), figure)
+    return spread_of(values_of(of_seeds(summaries, name, count), figure))
+
+
+def spread_of(values):
+    """The same of values at hand."""
     error = statistics.stdev(values) / len(values) ** 0.5 if len(values) > 1 else None
     return {"mean": statistics.mean(values) if values else None, "standard_error": error, "runs": len(values)}
 

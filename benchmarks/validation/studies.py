@@ -19,7 +19,7 @@ import sand_layer
 import sensitivity
 import wall_friction
 from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, STOPPED, Bench, figures, flat_floor, places, print_table,
-                   rayleigh_share, repose, row_of, save, save_means, spreads, time_limit, vessel, with_seeds, write)
+                   rayleigh_share, repose, row_of, save, save_means, shown, spread_of, spreads, time_limit, vessel, with_seeds, write)
 
 MATERIALS = ("material.0", "material.1")
 
@@ -115,6 +115,16 @@ FRICTIONS = {"calibrated": ("sizes", []),
              "little": ("sizes_little_friction", ["pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.1"])}
 
 
+def rim_of(options, name, radius):
+    """Mean and standard error over the seeds of the rim at the wall (mm; sand_layer.rim), in mean diameters of what is left; radius
+    of the vessel in mm."""
+    rims = []
+    for seed in range(1, options.seeds + 1):
+        position, radii = sand_layer.retained(options.work / f"{name}_{seed}")
+        rims.append(sand_layer.rim(position, radius, 2.0 * radii.mean()))
+    return shown(spread_of([rim for rim in rims if rim is not None]), 1.0)
+
+
 def sizes(options):
     """1.5 g of CarboHSP from a cylinder of 6 mm: of one size (the thesis's, which stands for what it leaves out, and that of the
     mean volume of the distribution) and of its distribution, each with its calibrated friction; and with little of it."""
@@ -129,7 +139,8 @@ def sizes(options):
             runs |= with_seeds(f"{study}_{name}", deck, [*sets, *friction], options.seeds)
         summaries = Bench(options).run_all(runs)
         rows = [{"sizes": name, "grains": summaries[f"{study}_{name}_1"]["particles"]["inserted"],
-                 **row_of(spreads(summaries, f"{study}_{name}", options.seeds, DISCHARGE))} for name in decks]
+                 **row_of(spreads(summaries, f"{study}_{name}", options.seeds, DISCHARGE)),
+                 "rim, mm": rim_of(options, f"{study}_{name}", 6.0)} for name in decks]
         save_means(options, study, summaries, rows)
 
 

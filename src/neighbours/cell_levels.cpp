@@ -40,8 +40,7 @@ std::vector<CellLevel> sort_into_levels(std::span<const ParticleRecord> particle
     if (chosen.empty()) continue;
     double longest = 0.0;
     for (const std::int32_t i : chosen) longest = std::max(longest, reach[static_cast<std::size_t>(i)]);
-    const double width = 2.0 * longest * (1.0 + 1e-9);  // more than what rounding could add to a distance
-    const Cells cells = {origin, 1.0 / width};
+    const Cells cells = {origin, 1.0 / with_rounding(2.0 * longest)};
     levels.push_back({cells, longest, sort_by_cell(cells, particles, chosen)});
   }
   return levels;

@@ -10,6 +10,9 @@
 
 namespace repose {
 
+/// A distance and more than what rounding could add to it.
+inline double with_rounding(double distance) { return distance * (1.0 + 1e-9); }
+
 /// Cubic cells, numbered so that x comes before y before z. Those at the ends hold all that lies beyond; the outermost
 /// stay empty, so that every other has neighbours.
 struct Cells {
@@ -53,7 +56,7 @@ std::vector<CellLevel> sort_into_levels(std::span<const ParticleRecord> particle
 /// others.
 template <class Visit>
 void for_each_candidate(const CellLevel& level, const Vec3& position, double reach, Visit&& visit) {
-  const double range = (reach + level.longest) * (1.0 + 1e-9);  // more than what rounding could add to a distance
+  const double range = with_rounding(reach + level.longest);
   const Vec3 offset = position - level.cells.origin;
   const auto first = [&](double x) { return level.cells.along(x - range); };
   const auto last = [&](double x) { return level.cells.along(x + range); };

@@ -113,7 +113,7 @@ std::vector<std::int32_t> searchers_of(const CellLevel& level, std::span<const S
 template <class Visit>
 void sweep_between(const CellLevel& lower, const CellLevel& higher, std::span<const ParticleRecord> particles,
                    std::span<const double> reach, const Visit& visit) {
-  const double range = (lower.longest + higher.longest) * (1.0 + 1e-9);  // more than what rounding could add to it
+  const double range = with_rounding(lower.longest + higher.longest);
   const Cells cells = {higher.cells.origin, 1.0 / range};
   const auto sorted = [&](std::span<const std::int32_t> chosen) {
     return with_reaches(sort_by_cell(cells, particles, chosen), particles, reach);

@@ -11,9 +11,6 @@
 namespace repose {
 namespace {
 
-constexpr std::int64_t inner_horizon_steps = ListHorizon::inner;            // that the inner skin covers
-constexpr std::int64_t outer_horizon_steps = ListHorizon::choices.front();  // the most that the outer skin covers
-
 /// Inner lists are chosen anew for all particles once so many have begun new skins alone: by then the lists have pairs
 /// that are no longer near, out of order.
 std::size_t most_renewed(std::size_t owned) { return 16 + owned / 32; }
@@ -40,7 +37,7 @@ bool Simulation::agree_on_rebuild(std::span<const std::int32_t> moved) {
   constexpr int used_up = 1;
   constexpr int alarmed = 2;
   const bool too_old =
-      scene_.walls_travel() && steps_ + 1 - outer_listed_at_ > outer_horizon_steps - inner_horizon_steps;
+      scene_.walls_travel() && steps_ + 1 - outer_listed_at_ > ListHorizon::choices.front() - ListHorizon::inner;
   clock_.enter(Stage::lists);
   const int here = alarm_ ? alarmed : too_old || !can_renew_outer_skins(moved) ? used_up : 0;
   clock_.enter(Stage::agreement);
@@ -83,7 +80,7 @@ void Simulation::renew_outer_skins() {
 /// Inner lists that hold every contact of this step, but for those of ghosts that are still on their way: theirs are
 /// renewed when they are here.
 void Simulation::renew_inner_lists(std::span<const std::int32_t> moved) {
-  const bool too_old = scene_.walls_travel() && steps_ + 1 - inner_selected_at_ >= inner_horizon_steps;
+  const bool too_old = scene_.walls_travel() && steps_ + 1 - inner_selected_at_ >= ListHorizon::inner;
   if (too_old || renewed_skins_ + moved.size() > most_renewed(particles_.owned)) {
     select_near();
     ++counters_.inner_selections;

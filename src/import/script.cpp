@@ -17,7 +17,7 @@
 namespace repose {
 namespace {
 
-constexpr std::size_t most_commands = 1000000;  // a loop that never ends carries out more
+constexpr std::size_t longest_line = 1000000;  // a loop that joins a variable to itself makes a longer one
 constexpr int deepest_include = 16;
 
 /// A line of a script without its comment, with those that continue it.
@@ -67,8 +67,8 @@ bool only_speaks(const std::string& word) {
 /// Follows a script.
 class Reader {
  public:
-  Reader(const ReadFile& read_file, const std::function<void(const ScriptCommand&)>& visit)
-      : read_file_(read_file), visit_(visit) {}
+  Reader(const ReadFile& read_file, const std::function<void(const ScriptCommand&)>& visit, std::size_t most_commands)
+      : read_file_(read_file), visit_(visit), most_commands_(most_commands) {}
 
   /// NAME=VALUE of the command line, which an index variable of the script does not replace.
   void set(const std::string& given) {
@@ -109,10 +109,12 @@ class Reader {
   }
 
   std::size_t label_in(const std::string& file, const std::string& label, const Place& place) {
+    const auto found = labels_.find({file, label});
+    if (found != labels_.end()) return found->second;
     const std::vector<Line>& lines = lines_in(file);
     for (std::size_t at = 0; at < lines.size(); ++at) {
       const std::vector<std::string> words = split_words(lines[at].text, {file, lines[at].number});
-      if (words.size() > 1 && words[0] == "label" && words[1] == label) return at;
+      if (words.size() > 1 && words[0] == "label" && words[1] == label) return labels_[{file, label}] = at;
     }
     refuse(place, fmt::format("no label \"{}\" in {}", label, file));
   }
@@ -121,9 +123,12 @@ class Reader {
   std::optional<Jump> carry_out(const std::string& line, const Place& place, int depth) {
     const std::string first = line.substr(0, std::min(line.find_first_of(" \t"), line.size()));
     if (first.empty()) return {};
-    if (++carried_out_ > most_commands)
-      refuse(place, fmt::format("more than {} commands: a loop without end?", most_commands));
-    std::vector<std::string> words = split_words(only_speaks(first) ? line : variables_.replaced(line, place), place);
+    if (++carried_out_ > most_commands_)
+      refuse(place, fmt::format("more than {} commands: a loop without end?", most_commands_));
+    const std::string said = only_speaks(first) ? line : variables_.replaced(line, place);
+    if (said.size() > longest_line)
+      refuse(place, fmt::format("more than {} characters: a variable that is joined to itself?", longest_line));
+    std::vector<std::string> words = split_words(said, place);
     if (words.empty()) return {};
     ScriptCommand command{place, std::move(words)};
     const std::string& name = command.words[0];
@@ -199,8 +204,11 @@ class Reader {
 
   const ReadFile& read_file_;
   const std::function<void(const ScriptCommand&)>& visit_;
+  std::size_t most_commands_;
   Variables variables_;
   std::map<std::string, std::vector<Line>> files_;
+  std::map<std::pair<std::string, std::string>, std::size_t>
+      labels_;  ///< where those of a file are that were jumped to
   std::size_t carried_out_ = 0;
   bool skips_jump_ = false;
   bool has_quit_ = false;
@@ -230,8 +238,8 @@ std::vector<std::string> split_words(const std::string& line, const Place& place
 }
 
 void read_script(const std::string& file, const ReadFile& read_file, const std::vector<std::string>& variables,
-                 const std::function<void(const ScriptCommand&)>& visit) {
-  Reader reader(read_file, visit);
+                 const std::function<void(const ScriptCommand&)>& visit, std::size_t most_commands) {
+  Reader reader(read_file, visit, most_commands);
   for (const std::string& variable : variables) reader.set(variable);
   reader.follow(file, 0);
 }

@@ -88,6 +88,8 @@ TEST(Script, SaysWhereItCannotGoOn) {
   EXPECT_EQ(error_of("a \"b"), "in:1: a quote that is not closed");
   EXPECT_EQ(error_of("a ${b"), "in:1: a ${ that is not closed");
   EXPECT_EQ(error_of("label l\njump SELF l"), "in:1: more than 1000000 commands: a loop without end?");
+  EXPECT_EQ(error_of("variable a string x\nlabel l\nvariable a string $a$a\njump SELF l"),
+            "in:3: more than 1000000 characters: a variable that is joined to itself?");
   EXPECT_EQ(error_of("jump SELF nowhere"), "in:1: no label \"nowhere\" in in");
   EXPECT_EQ(error_of("include in"), "in: includes itself");
   EXPECT_EQ(error_of("variable a equal v_a\nb $a"), "in:2: formula \"v_a\" names itself");

@@ -4,9 +4,9 @@
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 usage="usage: tools/run-tests.sh [--slow | --all] [--asan]
-  (none)   every test but those labelled slow; the unit tests a second time, on 1 and 2 ranks, under the address and
-           undefined-behaviour sanitizers of clang; in the same build each fuzz target for 20 s. Less than 45 minutes on
-           2 cores
+  (none)   every test but those labelled slow; the unit tests a second time, those that communicate on 2 ranks too, under
+           the address and undefined-behaviour sanitizers of clang; in the same build each fuzz target for 20 s. Less than
+           45 minutes on 2 cores
   --slow   the tests labelled slow instead, and each fuzz target for 5 minutes
   --all    every test
   --asan   all of the chosen tests a second time under the sanitizers"

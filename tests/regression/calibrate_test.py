@@ -15,7 +15,7 @@ import unittest
 
 import h5py
 
-from repose_runs import FolderTest, Program
+from repose_runs import REFUSED, FolderTest, Program
 
 # Two hundred grains and a wide orifice, for some milliseconds. What they do does not matter here.
 REDUCED = ["particles.0.mass=0.03 g", "particles.0.height=20 mm", "output.snapshot_interval=0", "phase.settle.max_time=15 ms",
@@ -78,8 +78,8 @@ class Calibrate(FolderTest):
                                    ranks_per_run=ranks_per_run, sets=json.dumps(sets)) + text)
         return path
 
-    def call(self, command, path, *options, ranks=2, output=None):
-        return self.program.call(command, path, "--output", output or self.output, *options, ranks=ranks)
+    def call(self, command, path, *options, ranks=2, output=None, env=None):
+        return self.program.call(command, path, "--output", output or self.output, *options, ranks=ranks, env=env)
 
     def calibrate(self, *arguments, **named):
         done = self.call("calibrate", *arguments, **named)
@@ -87,7 +87,7 @@ class Calibrate(FolderTest):
         return done.stdout
 
     def refused(self, path, message, command="calibrate"):
-        done = self.call(command, path)
+        done = self.call(command, path, env=REFUSED)
         self.assertEqual(done.returncode, 2, done.stdout)
         self.assertIn(message, done.stderr)
         self.assertFalse(os.path.exists(os.path.join(self.output, "runs")))

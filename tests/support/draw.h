@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "base/math.h"
-#include "base/philox.h"
 #include "base/vec3.h"
 
 namespace repose::test {
@@ -14,9 +13,7 @@ class Draw {
  public:
   explicit Draw(std::uint64_t seed) : seed_(seed) {}
 
-  double operator()(double low, double high) {
-    return low + (high - low) * uniform(seed_, count_++, RandomStream::insertion_jitter, 0);
-  }
+  double operator()(double low, double high);
   std::size_t below(std::size_t n) { return static_cast<std::size_t>((*this)(0.0, static_cast<double>(n))); }
   /// Each component between -size and size.
   Vec3 vector(double size) {

@@ -82,14 +82,19 @@ def rayleigh_share(share):
     return [f"time.rayleigh_fraction={share}", f"time.hertz_fraction={share / 2}"]
 
 
+def names_by_seed(name, count):
+    """{seed: name} of the runs that differ in their seed alone."""
+    return {seed: f"{name}_{seed}" for seed in range(1, count + 1)}
+
+
 def with_seeds(name, deck, sets, count):
     """{name: (deck, sets)} of a run with several seeds."""
-    return {f"{name}_{seed}": (deck, [*sets, f"run.seed={seed}"]) for seed in range(1, count + 1)}
+    return {run: (deck, [*sets, f"run.seed={seed}"]) for seed, run in names_by_seed(name, count).items()}
 
 
 def of_seeds(summaries, name, count):
     """The summaries of the runs of `with_seeds`."""
-    return [summaries[f"{name}_{seed}"] for seed in range(1, count + 1)]
+    return [summaries[run] for run in names_by_seed(name, count).values()]
 
 
 def values_of(summaries, figure):

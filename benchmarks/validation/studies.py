@@ -18,7 +18,7 @@ import planes
 import sand_layer
 import sensitivity
 import wall_friction
-from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, STOPPED, Bench, figures, flat_floor, places, print_table,
+from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, STOPPED, Bench, figures, flat_floor, names_by_seed, places, print_table,
                    rayleigh_share, repose, row_of, save, save_means, shown, spread_of, spreads, time_limit, vessel, with_seeds, write)
 
 MATERIALS = ("material.0", "material.1")
@@ -116,11 +116,11 @@ FRICTIONS = {"calibrated": ("sizes", []),
 
 
 def rim_of(options, name, radius):
-    """Mean and standard error over the seeds of the rim at the wall (mm; sand_layer.rim), in mean diameters of what is left; radius
-    of the vessel in mm."""
+    """Mean and standard error over the seeds of the rim at the wall, in mm, in rings as wide as the mean diameter of what is left
+    (sand_layer.rim); radius of the vessel in mm."""
     rims = []
-    for seed in range(1, options.seeds + 1):
-        position, radii = sand_layer.retained(options.work / f"{name}_{seed}")
+    for run in names_by_seed(name, options.seeds).values():
+        position, radii = sand_layer.retained(options.work / run)
         rims.append(sand_layer.rim(position, radius, 2.0 * radii.mean()))
     return shown(spread_of([rim for rim in rims if rim is not None]), 1.0)
 

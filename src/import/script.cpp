@@ -207,8 +207,7 @@ class Reader {
   std::size_t most_commands_;
   Variables variables_;
   std::map<std::string, std::vector<Line>> files_;
-  std::map<std::pair<std::string, std::string>, std::size_t>
-      labels_;  ///< where those of a file are that were jumped to
+  std::map<std::pair<std::string, std::string>, std::size_t> labels_;  ///< by file and label, of those jumped to
   std::size_t carried_out_ = 0;
   bool skips_jump_ = false;
   bool has_quit_ = false;

@@ -26,9 +26,27 @@ if(REPOSE_SANITIZE)
   target_link_options(repose_flags INTERFACE ${sanitize})
 endif()
 
-# repose_library(NAME [SOURCES generated...] LINK ...): the library of one folder under src, of all its sources.
+# Off by default: an include that is missing is found by a build without.
+option(REPOSE_JOIN "Compile many sources of a library as one, for quicker builds from nothing" OFF)
+add_library(repose_joined INTERFACE)
+target_compile_options(repose_joined INTERFACE -Wno-shadow)  # sources need not know each other's names
+
+# repose_join(TARGET [PATTERN...]): compiles the sources of a target together, but for those whose paths match, since they and
+# others of the target have helpers of the same name.
+function(repose_join target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  target_link_libraries(${target} PRIVATE repose_joined)  # last, since its option comes after -Wshadow
+  if(ARGN)
+    list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+    file(GLOB apart CONFIGURE_DEPENDS ${ARGN})
+    set_source_files_properties(${apart} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+endfunction()
+
+# repose_library(NAME [SOURCES generated...] LINK ... [APART pattern...]): the library of one folder under src, of all its
+# sources; APART as the patterns of repose_join.
 function(repose_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK;APART" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_library(repose_${name} STATIC ${sources} ${arg_SOURCES})
   target_link_libraries(repose_${name} PUBLIC repose_flags ${arg_LINK})
@@ -40,5 +58,8 @@ function(repose_library name)
   endif()
   if(REPOSE_SANITIZE AND name IN_LIST BRIEF_ROOMS)
     target_compile_options(repose_${name} PRIVATE -O0)
+  endif()
+  if(REPOSE_JOIN)
+    repose_join(repose_${name} ${arg_APART})
   endif()
 endfunction()

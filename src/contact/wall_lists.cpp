@@ -1,6 +1,7 @@
 // Which walls a particle may touch before the lists are renewed, and which particles need no search for it.
 #include <algorithm>
 
+#include "base/index.h"
 #include "contact/wall_contacts.h"
 
 namespace repose {
@@ -28,8 +29,6 @@ bool is_within_reach(const Wall& wall, const Particles& particles, std::size_t i
 
 /// Of entries in the order of their particles.
 constexpr auto comes_before = [](const auto& entry, std::int32_t particle) { return entry.particle < particle; };
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

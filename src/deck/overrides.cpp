@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "deck/nearest.h"
 #include "deck/nesting.h"
+#include "deck/trim.h"
 
 namespace repose {
 namespace {
@@ -40,18 +41,12 @@ bool is_utf8(const std::string& text) {
   throw DeckError(fmt::format("--set {}: {}", set_text, message));
 }
 
-std::string trim(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
-}
-
 std::vector<std::string> split_key(const std::string& key) {
   std::vector<std::string> parts;
   std::size_t start = 0;
   while (true) {
     const std::size_t dot = key.find('.', start);
-    parts.push_back(trim(std::string_view(key).substr(start, dot - start)));
+    parts.emplace_back(trim(std::string_view(key).substr(start, dot - start)));
     if (dot == std::string::npos) return parts;
     start = dot + 1;
   }
@@ -134,7 +129,7 @@ void apply(toml::table& root, const std::string& set_text, Overridden& overridde
     table = table->get_as<toml::table>(parts[i]);
     if (table == nullptr) fail(set_text, fmt::format("\"{}\" is a value and has no keys", path));
   }
-  assign(*table, parts.back(), trim(set_text.substr(equals + 1)));
+  assign(*table, parts.back(), std::string(trim(std::string_view(set_text).substr(equals + 1))));
   overridden[child(path, parts.back())] = set_text;
 }
 

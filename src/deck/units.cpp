@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "base/math.h"
+#include "deck/trim.h"
 
 namespace repose {
 namespace {
@@ -116,12 +117,6 @@ Dimension dimension(Unit unit) {
       return {"a temperature per time", heating_rate};
   }
   return {"a number", {}};
-}
-
-std::string_view trim(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// "µm" (either code point of the sign) and "um", "m^3" and "m3" are the same unit.

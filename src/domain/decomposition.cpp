@@ -2,12 +2,9 @@
 
 #include <algorithm>
 
+#include "base/index.h"
+
 namespace repose {
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 Decomposition::Decomposition(int ranks) { nodes_.push_back({0, ranks}); }
 

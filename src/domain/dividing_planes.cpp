@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "base/index.h"
+
 namespace repose {
 namespace {
 
@@ -13,8 +15,6 @@ constexpr int refinements = 4;     // histograms per plane: 128^4 steps of the p
 constexpr double places = 4096;  // along a side, so few that sums of squares of 1e10 particles do not wrap
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// The box about the particles of a part.
 struct Bounds {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/index.h"
+
 namespace repose {
 namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 ContactHistory history_of(const PairGroup& group, const PairGroup::Pair& pair) {
   return pair.lane < 0 ? ContactHistory{} : lane_history(group, static_cast<std::size_t>(pair.lane));

@@ -1,3 +1,4 @@
 repose_test(unit_neighbours LABEL unit SOURCES neighbours_list_horizon_test.cpp neighbours_pair_lists_test.cpp
   neighbours_partner_search_test.cpp neighbours_skin_watch_test.cpp
-  LINK repose_test_scenes)
+  LINK repose_test_scenes
+  APART neighbours_partner_search_test.cpp neighbours_skin_watch_test.cpp)

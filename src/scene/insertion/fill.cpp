@@ -14,8 +14,6 @@ namespace repose {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // relative: a region that is an exact multiple of the spacing is filled to its ends
-
 double spacing_of(const ParticlesDeck& fill) { return std::isnan(fill.spacing) ? 1.1 * fill.diameter : fill.spacing; }
 
 // A simple cubic lattice that is centred across the region and begins at its bottom.
@@ -28,9 +26,9 @@ struct Lattice {
 
 std::int64_t sites_along(double length, double margin, double spacing) {
   const double free = length - 2.0 * margin;
-  if (free < -rounding * spacing) return 0;
+  if (free < -fit_rounding * spacing) return 0;
   constexpr double most = 1e15;  // far beyond any number that is placed
-  return static_cast<std::int64_t>(std::fmin(std::floor(free / spacing + rounding), most)) + 1;
+  return static_cast<std::int64_t>(std::fmin(std::floor(free / spacing + fit_rounding), most)) + 1;
 }
 
 Lattice make_lattice(const ParticlesDeck& fill) {
@@ -55,7 +53,7 @@ Lattice make_lattice(const ParticlesDeck& fill) {
 // construction, and so do its floor and top.
 bool inside(const ParticlesDeck& fill, const Lattice& lattice, const Vec3& site) {
   if (fill.region == RegionShape::box) return true;
-  return inside_side(fill, site, 0.5 * fill.diameter, lattice.jitter, rounding * lattice.spacing);
+  return inside_side(fill, site, 0.5 * fill.diameter, lattice.jitter, fit_rounding * lattice.spacing);
 }
 
 Vec3 jittered(const Vec3& site, double jitter, std::uint64_t seed, std::int64_t id) {

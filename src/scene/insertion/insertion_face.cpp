@@ -7,11 +7,11 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "scene/insertion/region.h"
 
 namespace repose {
 namespace {
 
-constexpr double rounding = 1e-9;    // relative: a sphere that just fits does
 constexpr double flat_share = 1e-6;  // relative: files have single precision
 
 InsertionFace face_of_mesh(const TriangleMesh& mesh) {
@@ -100,7 +100,7 @@ std::optional<Vec3> random_place(const InsertionFace& face, double radius, std::
   const bool beyond = u + v > 1.0;  // in the other half of the parallelogram
   const Vec3 place =
       corner[0] + (beyond ? 1.0 - u : u) * (corner[1] - corner[0]) + (beyond ? 1.0 - v : v) * (corner[2] - corner[0]);
-  const double room = radius * (1.0 - rounding);
+  const double room = radius * (1.0 - fit_rounding);
   const bool fits = std::none_of(face.rims.begin(), face.rims.end(), [&](const std::array<Vec3, 2>& rim) {
     const Vec3 nearest = rim[0] + nearest_along(rim[0], rim[1], place) * (rim[1] - rim[0]);
     return squared_norm(place - nearest) < room * room;

@@ -11,8 +11,6 @@
 namespace repose {
 namespace {
 
-constexpr double rounding = 1e-9;  // relative: a region that is an exact multiple of the spacing is filled to its ends
-
 /// All three lattices lie on a simple cubic one of half the spacing.
 bool is_site(LatticeType type, std::int64_t x, std::int64_t y, std::int64_t z) {
   switch (type) {
@@ -48,7 +46,7 @@ Planes planes_of(const ParticlesDeck& lattice, const std::string& block) {
   const auto [min, max] = bounds(lattice);
   const double step = lattice.lattice == LatticeType::simple_cubic ? lattice.spacing : 0.5 * lattice.spacing;
   const double per_half = 2.0 * step / lattice.spacing;  // planes that are not empty come every so many half spacings
-  const auto steps = [&](double length) { return std::floor((length - lattice.diameter) / step + rounding); };
+  const auto steps = [&](double length) { return std::floor((length - lattice.diameter) / step + fit_rounding); };
   const Vec3 size = max - min;
   const Vec3 n = {steps(size.x), steps(size.y), steps(size.z)};
   check_size(1.0 + n.x * per_half, 1.0 + n.y * per_half, 1.0 + n.z * per_half, block);

@@ -8,8 +8,6 @@
 namespace repose {
 namespace {
 
-constexpr double rounding = 1e-9;  // relative: a sphere that just fits does
-
 double top_radius(const ParticlesDeck& frustum) {
   return std::isnan(frustum.radius_top) ? frustum.radius : frustum.radius_top;
 }
@@ -59,10 +57,10 @@ bool inside_side(const ParticlesDeck& frustum, const Vec3& centre, double radius
 
 bool holds_sphere(const ParticlesDeck& region, const Vec3& centre, double radius) {
   const auto [min, max] = bounds(region);
-  const double room = radius * (1.0 - rounding);
+  const double room = radius * (1.0 - fit_rounding);
   const auto fits = [&](double x, double low, double high) { return x - low >= room && high - x >= room; };
   if (!fits(centre.z, min.z, max.z)) return false;
-  if (region.region == RegionShape::cylinder) return inside_side(region, centre, radius, 0.0, rounding * radius);
+  if (region.region == RegionShape::cylinder) return inside_side(region, centre, radius, 0.0, fit_rounding * radius);
   return fits(centre.x, min.x, max.x) && fits(centre.y, min.y, max.y);
 }
 
@@ -89,7 +87,7 @@ std::optional<Vec3> random_place(const ParticlesDeck& region, double radius, std
 
 bool clear_of_walls(const Vec3& centre, double radius, const std::vector<Wall>& walls) {
   for (const Wall& wall : walls) {
-    if (wall.present && distance(wall, centre) < radius * (1.0 - rounding)) return false;
+    if (wall.present && distance(wall, centre) < radius * (1.0 - fit_rounding)) return false;
   }
   return true;
 }

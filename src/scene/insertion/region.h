@@ -10,6 +10,9 @@
 
 namespace repose {
 
+/// Relative: a sphere that just fits does, and a region that is an exact multiple of a spacing is filled to its ends.
+inline constexpr double fit_rounding = 1e-9;
+
 struct Box {
   Vec3 min;
   Vec3 max;

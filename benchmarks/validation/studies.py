@@ -17,6 +17,7 @@ import orifice
 import planes
 import sand_layer
 import sensitivity
+import settling
 import wall_friction
 from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, STOPPED, Bench, figures, flat_floor, names_by_seed, places, print_table,
                    rayleigh_share, repose, row_of, save, save_means, shown, spread_of, spreads, time_limit, vessel, with_seeds, write)
@@ -147,7 +148,7 @@ def sizes(options):
 STUDIES = {"full": full, "stiffness": stiffness, "time_step": time_step, "funnel": funnel, "sizes": sizes,
            "sand_layer": sand_layer.study, "contours": contours.study, "calibrations": calibrations.study, "sensitivity": sensitivity.study,
            "orifice": orifice.study, "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study,
-           "wall_friction": wall_friction.study, "little_friction": little_friction.study}
+           "wall_friction": wall_friction.study, "little_friction": little_friction.study, "settling": settling.study}
 
 
 def main():
@@ -158,7 +159,7 @@ def main():
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "validation")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time, one rank each")
     parser.add_argument("--ranks", type=int, default=2, help="of runs at full size, of contours and of calibrations")
-    parser.add_argument("--cases", nargs="+", help="of full size, of sizes, of contours or of calibrations; default: all")
+    parser.add_argument("--cases", nargs="+", help="of full size, of sizes, of contours, of settling or of calibrations; default: all")
     parser.add_argument("--time-limit", help="of a run at full size, of contours or of a calibration: HH:MM:SS")
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.11, 12.0], help="of the funnel, mm")

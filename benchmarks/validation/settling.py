@@ -1,0 +1,45 @@
+"""Whether the beds of the calibrations by levels come to rest with a longer time step."""
+
+import csv
+
+from bench import Bench, identities, print_table, rayleigh_share, save
+
+SHARES = (0.2, 0.3, 0.4)
+LESS = ["particles.0.mass=7.5 g", "material.0.youngs_modulus=1 MPa", "material.1.youngs_modulus=1 MPa"]  # the level below
+CARBOHSP = ["pair.0.sliding_friction=0.75", "pair.0.rolling_friction=0.1625"]
+CASES = {"carbohsp": ("carbohsp_mono.toml", CARBOHSP),  # deck and overrides
+         "carbohsp_less": ("carbohsp_mono.toml", [*CARBOHSP, *LESS]),
+         "sand": ("sand_multi.toml", []),
+         "sand_less": ("sand_multi.toml", LESS)}
+AFTER = 0.2  # s
+
+
+def study(options):
+    """Grains that fall into their vessel and lie there until 0.2 s: what still moves with time steps of 20 to 40 % of the Rayleigh
+    time and half as much of the Hertz time."""
+    cases = [(case, share) for case in options.cases or CASES for share in SHARES]
+    names = [f"settling_{case}_{share:g}" for case, share in cases]
+    still = [f"phase.settle.max_time={AFTER}", "phase.settle.kinetic_energy=1e-30", "phase.discharge.min_time=1e-5",
+             "phase.discharge.max_time=1e-5", "output.snapshot_interval=0", "output.series_interval=0.01"]
+    runs = {}
+    for name, (case, share) in zip(names, cases):
+        deck, own = CASES[case]
+        runs[name] = (deck, [*still, *own, *rayleigh_share(share)])
+    summaries = Bench(options).run_all(runs)
+    rows = []
+    for name, (case, share) in zip(names, cases):
+        settled = settled_row(options.work / name)
+        grains = float(settled["particles"])
+        rows.append({"bed": case, "of the Rayleigh time": share, "time step, us": 1e6 * summaries[name]["timestep_s"],
+                     "contacts per grain": 2.0 * float(settled["pair_contacts"]) / grains,
+                     "translation, J/grain": float(settled["translational_energy_J"]) / grains,
+                     "rotation, J/grain": float(settled["rotational_energy_J"]) / grains,
+                     "bulk density, kg/m3": summaries[name]["bulk_density_kg_m3"]})
+    print_table(rows, digits=4)
+    save(options.results / "settling.json", runs=identities(summaries), rows=rows)
+
+
+def settled_row(folder):
+    """The last row of the series before the hole is opened."""
+    with open(folder / "series.csv", encoding="utf-8") as file:
+        return [row for row in csv.DictReader(file) if row["phase"] == "0"][-1]

@@ -1,8 +1,8 @@
 """Whether the beds of the calibrations by levels come to rest with a longer time step."""
 
-import csv
+import numpy as np
 
-from bench import Bench, identities, print_table, rayleigh_share, save
+from bench import Bench, identities, print_table, rayleigh_share, repose, save
 
 SHARES = (0.2, 0.3, 0.4)
 LESS = ["particles.0.mass=7.5 g", "material.0.youngs_modulus=1 MPa", "material.1.youngs_modulus=1 MPa"]  # the level below
@@ -28,18 +28,13 @@ def study(options):
     summaries = Bench(options).run_all(runs)
     rows = []
     for name, (case, share) in zip(names, cases):
-        settled = settled_row(options.work / name)
-        grains = float(settled["particles"])
+        series = repose.Run(options.work / name).series
+        settled = np.flatnonzero(series["phase"] == 0)[-1]  # the last row before the hole is opened
+        grains = series["particles"][settled]
         rows.append({"bed": case, "of the Rayleigh time": share, "time step, us": 1e6 * summaries[name]["timestep_s"],
-                     "contacts per grain": 2.0 * float(settled["pair_contacts"]) / grains,
-                     "translation, J/grain": float(settled["translational_energy_J"]) / grains,
-                     "rotation, J/grain": float(settled["rotational_energy_J"]) / grains,
+                     "contacts per grain": 2.0 * series["pair_contacts"][settled] / grains,
+                     "translation, J/grain": series["translational_energy_J"][settled] / grains,
+                     "rotation, J/grain": series["rotational_energy_J"][settled] / grains,
                      "bulk density, kg/m3": summaries[name]["bulk_density_kg_m3"]})
     print_table(rows, digits=4)
     save(options.results / "settling.json", runs=identities(summaries), rows=rows)
-
-
-def settled_row(folder):
-    """The last row of the series before the hole is opened."""
-    with open(folder / "series.csv", encoding="utf-8") as file:
-        return [row for row in csv.DictReader(file) if row["phase"] == "0"][-1]

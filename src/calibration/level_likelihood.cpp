@@ -12,8 +12,6 @@ namespace {
 
 /// Normal in each parameter, as in (C.5): lengths near the box; a noise of 1 % of what the level adds, or a multiple.
 /// Few seeds say little of how their scatter varies: it is the same everywhere unless they tell otherwise.
-constexpr double usual_log_noise = -4.6;
-constexpr double log_noise_scatter = 4.0;
 constexpr double noise_slope_scatter = 1.5;
 /// With few points the likelihood may be greatest where a level adds nothing, and that would be taken for certain.
 constexpr double usual_log_added = -2.3;

@@ -15,8 +15,6 @@ namespace {
 // box as a whole, as those of grains do, has a length near the box.
 constexpr double usual_log_length = 0.0;
 constexpr double log_length_scatter = 1.0;
-constexpr double usual_log_noise = -4.6;  // 1 %
-constexpr double log_noise_scatter = 4.0;
 
 constexpr double least_noise = 1e-9;      // keeps the covariance of noise-free values positive definite
 constexpr double least_variance = 1e-20;  // of standardised values that are all equal

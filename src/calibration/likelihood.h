@@ -13,6 +13,10 @@ struct Hyperparameters {
   double noise_ratio = 0.0;  ///< variance of one run over the signal variance
 };
 
+/// The prior of the logarithm of the noise ratio, normal as those of (C.5): 1 %, widely.
+inline constexpr double usual_log_noise = -4.6;
+inline constexpr double log_noise_scatter = 4.0;
+
 /// The terms of the mean at each row of `points`: 1 and the parameters about the middle of the box.
 Matrix mean_terms(const Matrix& points, bool linear);
 

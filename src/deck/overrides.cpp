@@ -6,9 +6,9 @@
 #include <span>
 
 #include "base/error.h"
+#include "base/trimmed.h"
 #include "deck/nearest.h"
 #include "deck/nesting.h"
-#include "deck/trim.h"
 
 namespace repose {
 namespace {
@@ -46,7 +46,7 @@ std::vector<std::string> split_key(const std::string& key) {
   std::size_t start = 0;
   while (true) {
     const std::size_t dot = key.find('.', start);
-    parts.emplace_back(trim(std::string_view(key).substr(start, dot - start)));
+    parts.emplace_back(trimmed(std::string_view(key).substr(start, dot - start), " \t"));
     if (dot == std::string::npos) return parts;
     start = dot + 1;
   }
@@ -129,7 +129,7 @@ void apply(toml::table& root, const std::string& set_text, Overridden& overridde
     table = table->get_as<toml::table>(parts[i]);
     if (table == nullptr) fail(set_text, fmt::format("\"{}\" is a value and has no keys", path));
   }
-  assign(*table, parts.back(), std::string(trim(std::string_view(set_text).substr(equals + 1))));
+  assign(*table, parts.back(), std::string(trimmed(std::string_view(set_text).substr(equals + 1), " \t")));
   overridden[child(path, parts.back())] = set_text;
 }
 

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "base/math.h"
-#include "deck/trim.h"
+#include "base/trimmed.h"
 
 namespace repose {
 namespace {
@@ -149,14 +149,14 @@ constexpr int largest_exponent = 100'000;  // beyond any double, however many di
 
 Quantity parse_quantity(std::string_view text, Unit unit) {
   const Dimension wanted = dimension(unit);
-  const std::string_view trimmed = trim(text);
-  const std::string_view unsigned_text = trimmed.substr(trimmed.starts_with('+') && !trimmed.starts_with("+-") ? 1 : 0);
+  const std::string_view bare = trimmed(text, " \t");
+  const std::string_view unsigned_text = bare.substr(bare.starts_with('+') && !bare.starts_with("+-") ? 1 : 0);
   double value = 0.0;
   const auto scan = std::from_chars(unsigned_text.data(), unsigned_text.data() + unsigned_text.size(), value);
   if (scan.ec == std::errc::invalid_argument || !std::isfinite(value)) return problem(text, wanted, "is not a number");
   const auto length = static_cast<std::size_t>(scan.ptr - unsigned_text.data());
   const std::string_view number = unsigned_text.substr(0, length);
-  const std::string given = plain_symbol(trim(unsigned_text.substr(length)));
+  const std::string given = plain_symbol(trimmed(unsigned_text.substr(length), " \t"));
   if (given.empty()) return problem(text, wanted, "has no unit");
 
   for (const Symbol& s : wanted.symbols) {

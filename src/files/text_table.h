@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/trimmed.h"
+
 namespace repose {
 
 /// A line of a file, for messages.
@@ -14,9 +16,6 @@ struct FilePlace {
 
 /// Throws DeckError as `file:line: what`.
 [[noreturn]] void fail_at(const FilePlace& place, const std::string& what);
-
-/// Without the blanks around it.
-std::string_view trimmed(std::string_view text);
 
 /// A finite number of a column. DeckError with its place when the field is something else.
 double parse_number(std::string_view field, std::string_view column, const FilePlace& place);

@@ -7,8 +7,8 @@
 namespace repose::thermal {
 
 /// As read_described.
-template <class D, class Check>
-D read_tool_deck(const ToolInput& input, Check&& check) {
+template <class D>
+D read_tool_deck(const ToolInput& input, void (*check)(D&, DeckErrors&)) {
   return read_described<D>(input.deck.bytes, input.deck.name, input.overrides, check);
 }
 

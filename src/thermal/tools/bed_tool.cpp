@@ -120,7 +120,7 @@ Json compared(const BedDeck& deck, const BedMeasurement& m) {
           {"difference_percent", 100.0 * (m.conductivity / model - 1.0)}};
 }
 
-std::string text_of(const Json& json) {
+std::string bed_text(const Json& json) {
   std::string text = fmt::format("porosity {:.4f} +- {:.4f}\n\n", json["porosity"].get<double>(),
                                  json["porosity_deviation"].get<double>());
   text += "| T, K | k, W/(m K) | +- | without radiation | air |\n|---|---|---|---|---|\n";
@@ -156,7 +156,7 @@ ToolResult bed_tool(const ToolInput& input) {
                  {"deformation_parameter", deformation_parameter(ratios_of(deck.bed, air_at(300.0, deck.pressure)))},
                  {"conductivity", rows},
                  {"measurements", measurements}};
-  result.text = text_of(result.json);
+  result.text = bed_text(result.json);
   return result;
 }
 

@@ -164,7 +164,7 @@ Json orifice_json(const OrificeDeck& o) {
           {"is_below", share <= o.max_share}};
 }
 
-std::string text_of(const Json& json) {
+std::string comparison_text(const Json& json) {
   std::string text = fmt::format("A {}, B {}; {:.3g} % significance\n\n", json["a"].get<std::string>(),
                                  json["b"].get<std::string>(), 100.0 * json["significance"].get<double>());
   text += "| figure | A | B | B - A | interval | bound | p | verdict |\n|---|---|---|---|---|---|---|---|\n";
@@ -205,7 +205,7 @@ ToolResult compare_tool(const ToolInput& input) {
                  {"significance", deck.significance},
                  {"figures", figures},
                  {"orifice", orifice_json(deck.orifice)}};
-  result.text = text_of(result.json);
+  result.text = comparison_text(result.json);
   return result;
 }
 

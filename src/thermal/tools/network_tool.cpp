@@ -207,7 +207,7 @@ Json row_at(const NetworkDeck& deck, const LinkedBed& bed, double temperature) {
           {"floating_grains", network.floating}};
 }
 
-std::string text_of(const Json& bed) {
+std::string linked_bed_text(const Json& bed) {
   std::string text = fmt::format(
       "{}: {} grains, porosity {:.4f}, {:.2f} contacts per grain, {} near gaps\n\n"
       "| T, K | k network, W/(m K) | k model | difference | share of contacts |\n|---|---|---|---|---|\n",
@@ -240,7 +240,7 @@ ToolResult network_tool(const ToolInput& input) {
                     {"contacts_per_grain", bed.contacts_per_grain},
                     {"model_material", deck.materials.front().name},
                     {"conductivity", rows}});
-    result.text += text_of(beds.back());
+    result.text += linked_bed_text(beds.back());
   }
   result.json = {{"tool", "network"}, {"title", deck.title}, {"beds", beds}};
   return result;

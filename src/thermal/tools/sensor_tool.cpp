@@ -187,7 +187,7 @@ std::string corrected_text(const Json& c, const char* shown) {
                      deviation > 0.0 ? fmt::format(" +- {:.3g}", deviation) : "");
 }
 
-std::string text_of(const Json& json) {
+std::string correction_text(const Json& json) {
   std::string text =
       "Errors in percent of the literature; a printed one is impossible when no rounding gives it.\n\n"
       "| sample | sensor | c_p error | printed | difference | k error | printed | difference |\n"
@@ -224,7 +224,7 @@ ToolResult sensor_tool(const ToolInput& input) {
   }
   ToolResult result;
   result.json = {{"tool", "sensor"}, {"title", deck.title}, {"materials", materials}};
-  result.text = text_of(result.json);
+  result.text = correction_text(result.json);
   return result;
 }
 

@@ -103,7 +103,7 @@ Json repeats_of(const RepeatsDeck& deck, const Json& results) {
   return json;
 }
 
-std::string text_of(const Json& result) {
+std::string source_text(const Json& result) {
   const auto line = [&](const char* key, const char* shown) {
     const Json& e = result[key];
     return fmt::format("{:<26} {:.5g} +- {:.2g}, 95 %: {:.5g} to {:.5g}\n", shown, e["value"].get<double>(),
@@ -121,7 +121,7 @@ std::string text_of(const Json& result) {
   return text;
 }
 
-std::string text_of_repeats(const Json& repeats) {
+std::string repeats_text(const Json& repeats) {
   std::string text = fmt::format("{} {:<17} {:>10}  ({})\n", repeats["is_met"].get<bool>() ? "met   " : "BROKEN",
                                  "repeats", repeats["files"].get<int>(), repeats["wanted"].get<std::string>());
   if (repeats.contains("conductivity_W_mK")) {
@@ -141,10 +141,10 @@ ToolResult tps_tool(const ToolInput& input) {
   ToolResult result;
   for (const DataFile& file : input.files) {
     results.push_back(evaluate(deck, source, file));
-    result.text += text_of(results.back()) + "\n";
+    result.text += source_text(results.back()) + "\n";
   }
   const Json repeats = repeats_of(deck.repeats, results);
-  result.text += text_of_repeats(repeats);
+  result.text += repeats_text(repeats);
   result.json = {{"tool", "tps"}, {"title", deck.title}, {"transients", results}, {"repeats", repeats}};
   return result;
 }

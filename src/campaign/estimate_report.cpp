@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -99,9 +101,51 @@ std::string runs_text(std::span<const RunRecord> records) {
                      count(RunState::waiting) + count(RunState::running));
 }
 
+/// Runs whose phase was ended by max_time: perhaps a bed that did not come to rest.
+struct OverduePhase {
+  std::string level;  ///< empty: there is one level
+  std::string phase;
+  std::ptrdiff_t overdue = 0;
+  std::ptrdiff_t complete = 0;
+};
+
+std::vector<OverduePhase> overdue_phases(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                                         std::span<const RunRecord> records) {
+  std::map<std::pair<std::size_t, std::string>, std::ptrdiff_t> overdue;
+  std::map<std::size_t, std::ptrdiff_t> complete;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    complete[runs[i].level] += records[i].state == RunState::done || records[i].state == RunState::plugged;
+    for (const std::string& phase : records[i].overdue) ++overdue[{runs[i].level, phase}];
+  }
+  std::vector<OverduePhase> phases;
+  for (const auto& [where, count] : overdue) {
+    const auto& [level, phase] = where;
+    phases.push_back({deck.levels.empty() ? "" : deck.levels[level].name, phase, count, complete[level]});
+  }
+  return phases;
+}
+
+std::string overdue_text(std::span<const OverduePhase> phases) {
+  std::string text;
+  for (const OverduePhase& p : phases) {
+    text += fmt::format("{}phase {} was ended by max_time in {} of {}\n",
+                        p.level.empty() ? "" : "level " + p.level + ": ", p.phase, p.overdue, p.complete);
+  }
+  return text;
+}
+
+Json overdue_json(std::span<const OverduePhase> phases) {
+  Json list = Json::array();
+  for (const OverduePhase& p : phases) {
+    list.push_back({{"phase", p.phase}, {"runs", p.overdue}, {"of", p.complete}});
+    if (!p.level.empty()) list.back()["level"] = p.level;
+  }
+  return list;
+}
+
 std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, std::span<const RunRecord> records,
-                    const std::string& curves) {
-  std::string text = runs_text(records);
+                    std::span<const OverduePhase> overdue, const std::string& curves) {
+  std::string text = runs_text(records) + overdue_text(overdue);
   for (const ObservableDeck& o : deck.observables) {
     text += fmt::format("laboratory {:26} {:.5g}, standard error {:.2g} ({:.2g} / sqrt({}))", o.figure, o.laboratory,
                         o.deviation / std::sqrt(static_cast<double>(o.repeats)), o.deviation, o.repeats);
@@ -135,6 +179,7 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
   const CalibrationDeck& deck = projection.deck;
   const std::span<const RunRecord> records = projection.records;
   const std::vector<ObservableData> data = observable_data(deck, records);
+  const std::vector<OverduePhase> overdue = overdue_phases(deck, runs, records);
   const Misfit misfit = misfit_of(deck, runs, records);
   const Estimate result = estimate(misfit, deck.confidence);
   Json parameters = Json::array();
@@ -162,10 +207,11 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
                  {"misfit", json_number(result.nearest.misfit)},
                  {"acceptable", result.nearest.acceptable}}},
                {"half_width", json_number(result.half_width)}};
+  if (!overdue.empty()) json["ended_by_max_time"] = overdue_json(overdue);
   if (!projection.curves.empty()) json["curves"] = curves_json(projection.curves);
   if (result.posterior) json["posterior"] = posterior_json(*result.posterior);
   if (misfit.parameters() == 2) json["surfaces"] = surface_json(misfit, deck, result.limit);
-  std::string text = text_of(deck, result, records, curves_text(projection.curves));
+  std::string text = text_of(deck, result, records, overdue, curves_text(projection.curves));
   if (!deck.levels.empty()) {
     const OtherEstimate first = first_level_alone(deck, runs, records);
     json["levels"] = levels_json(deck, runs, records);

@@ -43,6 +43,11 @@ RunRecord record_of_summary(const std::string& path, std::span<const std::string
   const bool plugged = summary.contains("plugged") && summary["plugged"].is_boolean() && summary["plugged"].get<bool>();
   record.state = plugged ? RunState::plugged : RunState::done;
   for (const std::string& figure : figures) record.figures.push_back(figure_in(summary, figure));
+  for (const Json& phase : value_of<Json>(summary, "phases", path)) {
+    if (value_of<std::string>(phase, "ended_by", path) == "max_time") {
+      record.overdue.push_back(value_of<std::string>(phase, "name", path));
+    }
+  }
   record.state_hash = value_of<std::string>(summary, "state_hash", path);
   record.wall_seconds = value_of<double>(summary, "wall_seconds", path);
   record.ranks = value_of<int>(summary, "ranks", path);

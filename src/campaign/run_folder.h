@@ -24,8 +24,9 @@ struct RunRecord {
   double wall_seconds = 0.0;
   int ranks = 0;
   std::int64_t restarts = 0;
-  double particle_steps = 0.0;  ///< its work: grains times steps, which no rank or clock changes; 0: not known
-  bool has_checkpoint = false;  ///< it waits, but was begun
+  double particle_steps = 0.0;       ///< its work: grains times steps, which no rank or clock changes; 0: not known
+  bool has_checkpoint = false;       ///< it waits, but was begun
+  std::vector<std::string> overdue;  ///< phases that max_time ended, not what they waited for
 };
 
 /// Reads a run's folder, which need not exist. A run that failed for what may be gone by now (a full disk, a deck that

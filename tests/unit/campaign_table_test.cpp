@@ -26,7 +26,8 @@ class RunFolder : public testing::Test {
 };
 
 const std::string summary = R"({"plugged": PLUGGED, "discharged_mass_kg": 0.02, "angle_of_repose_deg": null,
-  "state_hash": "ab", "wall_seconds": 3.5, "ranks": 2, "restarts": 1})";
+  "state_hash": "ab", "wall_seconds": 3.5, "ranks": 2, "restarts": 1,
+  "phases": [{"name": "settle", "ended_by": "max_time"}, {"name": "discharge", "ended_by": "kinetic_energy"}]})";
 
 std::string summary_with(const std::string& plugged) {
   std::string text = summary;
@@ -58,6 +59,7 @@ TEST_F(RunFolder, DoneOrPlugged) {
   EXPECT_EQ(record.wall_seconds, 3.5);
   EXPECT_EQ(record.ranks, 2);
   EXPECT_EQ(record.restarts, 1);
+  EXPECT_EQ(record.overdue, std::vector<std::string>{"settle"});
   write("summary.json", summary_with("true"));
   EXPECT_EQ(read_run_folder(folder, figures).state, RunState::plugged);
   write("summary.json", summary_with("null"));

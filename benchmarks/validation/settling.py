@@ -1,16 +1,25 @@
 """Whether the beds of the calibrations by levels come to rest with a longer time step."""
 
+import tomllib
+
 import numpy as np
 
-from bench import Bench, identities, print_table, rayleigh_share, repose, save
+from bench import ROOT, Bench, identities, print_table, rayleigh_share, repose, save
 
 SHARES = (0.2, 0.3, 0.4)
-LESS = ["particles.0.mass=7.5 g", "material.0.youngs_modulus=1 MPa", "material.1.youngs_modulus=1 MPa"]  # the level below
 CARBOHSP = ["pair.0.sliding_friction=0.75", "pair.0.rolling_friction=0.1625"]
+
+
+def lower_level(deck):
+    """What the lower level of a calibration has otherwise than the test itself, but for its time step."""
+    levels = tomllib.loads((ROOT / "input" / deck).read_text())["level"]
+    return [key for key in levels[0]["set"] if not key.startswith("time.")]
+
+
 CASES = {"carbohsp": ("carbohsp_mono.toml", CARBOHSP),  # deck and overrides
-         "carbohsp_less": ("carbohsp_mono.toml", [*CARBOHSP, *LESS]),
+         "carbohsp_less": ("carbohsp_mono.toml", [*CARBOHSP, *lower_level("calibrate_carbohsp_levels.toml")]),
          "sand": ("sand_multi.toml", []),
-         "sand_less": ("sand_multi.toml", LESS)}
+         "sand_less": ("sand_multi.toml", lower_level("calibrate_sand_levels.toml"))}
 AFTER = 0.2  # s
 
 

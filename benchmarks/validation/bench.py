@@ -3,6 +3,7 @@
 import pathlib
 import statistics
 import sys
+import tomllib
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -33,6 +34,11 @@ class Bench:
         self.work.mkdir(parents=True, exist_ok=True)
         with ThreadPoolExecutor(self.cores) as pool:
             return dict(zip(runs, pool.map(lambda name: self.run(name, *runs[name]), runs)))
+
+
+def input_deck(name):
+    """A deck of input/ as a dict."""
+    return tomllib.loads((ROOT / "input" / name).read_text())
 
 
 STOPPED = 75  # exit code of a run that was stopped with a checkpoint

@@ -6,11 +6,10 @@ all figures should cross there; how they run tells what the test can and cannot 
 import json
 import statistics
 import sys
-import tomllib
 
 import numpy as np
 
-from bench import ROOT, Bench, flat_floor, places, print_table, repose, save, time_limit, values_of, vessel
+from bench import ROOT, Bench, flat_floor, input_deck, places, print_table, repose, save, time_limit, values_of, vessel
 from kept_runs import kept
 from repose import plots
 
@@ -49,7 +48,7 @@ def laboratory(options, name, deck, sets, figures):
 
 def coefficient(deck, key):
     """Of a deck, such as pair.0.restitution."""
-    value = tomllib.loads((ROOT / "input" / deck).read_text())
+    value = input_deck(deck)
     for part in key.split("."):
         value = value[int(part)] if part.isdigit() else value[part]
     return value
@@ -173,7 +172,7 @@ def study(options):
     for case in options.cases or CASES:
         name = f"contours_{case}"
         file, deck, sets = CASES[case]
-        full = tomllib.loads((ROOT / "input" / file).read_text())
+        full = input_deck(file)
         rings = RINGS.get(case, ())
         with kept(options, name):
             found = laboratory(options, name, deck, sets, [o["figure"] for o in full["observable"]])

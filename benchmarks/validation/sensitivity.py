@@ -1,10 +1,8 @@
 """Which parameters matter: Table 3.6 of the thesis one at a time at reduced size, drawn as its Figures 3.9 and 3.10."""
 
-import tomllib
-
 import matplotlib
 
-from bench import ROOT, SCATTERING, UNITS, Bench, row_of, save_means, spreads, with_seeds
+from bench import SCATTERING, UNITS, Bench, input_deck, row_of, save_means, spreads, with_seeds
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -13,7 +11,7 @@ from matplotlib import pyplot  # noqa: E402
 def study(options):
     """Each parameter at both ends of its range, the others held. The laboratory is the reduced test with the coefficients
     that the thesis found."""
-    asked = tomllib.loads((ROOT / "input" / "sensitivity_carbohsp.toml").read_text())
+    asked = input_deck("sensitivity_carbohsp.toml")
     held = [f"{p['key']}={p['fixed']}" for p in asked["parameter"]]
     runs = {}
     for p in asked["parameter"]:

@@ -1,26 +1,21 @@
 """Whether the beds of the calibrations by levels come to rest with a longer time step."""
 
-import tomllib
-
 import numpy as np
 
-from bench import ROOT, Bench, identities, print_table, rayleigh_share, repose, save
+from bench import Bench, identities, input_deck, print_table, rayleigh_share, repose, save
 
 SHARES = (0.2, 0.3, 0.4)
 CARBOHSP = ["pair.0.sliding_friction=0.75", "pair.0.rolling_friction=0.1625"]
-
-
-def lower_level(deck):
-    """What the lower level of a calibration has otherwise than the test itself, but for its time step."""
-    levels = tomllib.loads((ROOT / "input" / deck).read_text())["level"]
-    return [key for key in levels[0]["set"] if not key.startswith("time.")]
-
-
-CASES = {"carbohsp": ("carbohsp_mono.toml", CARBOHSP),  # deck and overrides
-         "carbohsp_less": ("carbohsp_mono.toml", [*CARBOHSP, *lower_level("calibrate_carbohsp_levels.toml")]),
-         "sand": ("sand_multi.toml", []),
-         "sand_less": ("sand_multi.toml", lower_level("calibrate_sand_levels.toml"))}
+CASES = {"carbohsp": ("carbohsp_mono.toml", CARBOHSP, None),  # deck, overrides, and the calibration whose lower level it is
+         "carbohsp_less": ("carbohsp_mono.toml", CARBOHSP, "calibrate_carbohsp_levels.toml"),
+         "sand": ("sand_multi.toml", [], None),
+         "sand_less": ("sand_multi.toml", [], "calibrate_sand_levels.toml")}
 AFTER = 0.2  # s
+
+
+def lower_level(calibration):
+    """What the lower level of a calibration has otherwise than the test itself, but for its time step."""
+    return [key for key in input_deck(calibration)["level"][0]["set"] if not key.startswith("time.")]
 
 
 def study(options):
@@ -32,8 +27,9 @@ def study(options):
              "phase.discharge.max_time=1e-5", "output.snapshot_interval=0", "output.series_interval=0.01"]
     runs = {}
     for name, (case, share) in zip(names, cases):
-        deck, own = CASES[case]
-        runs[name] = (deck, [*still, *own, *rayleigh_share(share)])
+        deck, own, calibration = CASES[case]
+        less = lower_level(calibration) if calibration else []
+        runs[name] = (deck, [*still, *own, *less, *rayleigh_share(share)])
     summaries = Bench(options).run_all(runs)
     rows = []
     for name, (case, share) in zip(names, cases):

@@ -114,7 +114,7 @@ std::vector<OverduePhase> overdue_phases(const CalibrationDeck& deck, std::span<
   std::map<std::pair<std::size_t, std::string>, std::ptrdiff_t> overdue;
   std::map<std::size_t, std::ptrdiff_t> complete;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    complete[runs[i].level] += records[i].state == RunState::done || records[i].state == RunState::plugged;
+    complete[runs[i].level] += is_complete(records[i].state);
     for (const std::string& phase : records[i].overdue) ++overdue[{runs[i].level, phase}];
   }
   std::vector<OverduePhase> phases;

@@ -62,7 +62,7 @@ std::vector<std::size_t> begun_then_longest(std::span<const StudyRun> runs, std:
     double least = std::numeric_limits<double>::infinity();
     double speed = 1.0;
     for (std::size_t j = 0; j < runs.size(); ++j) {
-      if (records[j].state != RunState::done && records[j].state != RunState::plugged) continue;
+      if (!is_complete(records[j].state)) continue;
       const double distance = squared_distance(runs[i], runs[j], parameters) + other_test(runs[i], runs[j]);
       if (distance >= least) continue;
       least = distance;

@@ -15,6 +15,9 @@ enum class RunState { waiting, running, done, plugged, failed };
 
 const char* to_string(RunState state);
 
+/// Whether it came to its end, and so has figures.
+constexpr bool is_complete(RunState state) { return state == RunState::done || state == RunState::plugged; }
+
 /// What the folder of a run says. The folders are the truth; tables are made from them.
 struct RunRecord {
   RunState state = RunState::waiting;

@@ -108,7 +108,9 @@ class Calibrate(FolderTest):
         for ranks, groups, text in zip((1, 2, 5), (1, 2, 2), says):
             self.assertIn("12 runs in", text)
             self.assertIn(f"on {ranks} rank{'s' if ranks > 1 else ''}, {groups} at a time", text)
-            self.assertIn("12 runs: 12 done, 0 plugged, 0 failed, 0 to come\nphase discharge was ended by max_time in 12 of 12\nphase settle was ended by max_time in 12 of 12\n", text)
+            self.assertIn("12 runs: 12 done, 0 plugged, 0 failed, 0 to come\n"
+                          "phase discharge was ended by max_time in 12 of 12\n"
+                          "phase settle was ended by max_time in 12 of 12\n", text)
             self.assertIn("standard error 5e-07 (1e-06 / sqrt(4))", text)
         for output in outputs[1:]:
             self.assertEqual(self.read("grid.csv", output), self.read("grid.csv", outputs[0]))

@@ -68,7 +68,7 @@ void describe(V& v, CompareDeck& d) {
 
 namespace {
 
-using Columns = std::map<std::string, std::vector<double>, std::less<>>;
+using NamedColumns = std::map<std::string, std::vector<double>, std::less<>>;
 
 void check(CompareDeck& deck, DeckErrors& errors) {
   for (std::size_t i = 0; i < deck.figures.size(); ++i) {
@@ -87,9 +87,9 @@ std::string_view name_of(std::string_view field) {
 }
 
 /// The columns of a CSV by name. An empty field is a measurement that was not made.
-Columns columns_of(const DataFile& file) {
+NamedColumns columns_of(const DataFile& file) {
   std::vector<std::string> names;
-  Columns columns;
+  NamedColumns columns;
   const std::size_t last = for_each_line(file.bytes, file.name, [&](std::string_view line, const FilePlace& place) {
     const std::vector<std::string_view> fields = split_fields(line);
     if (names.empty()) {
@@ -111,7 +111,7 @@ Columns columns_of(const DataFile& file) {
   return columns;
 }
 
-const std::vector<double>& column(const Columns& columns, const std::string& name, const DataFile& file) {
+const std::vector<double>& column(const NamedColumns& columns, const std::string& name, const DataFile& file) {
   const auto found = columns.find(name);
   if (found == columns.end()) throw DeckError(fmt::format("{}: has no column \"{}\"", file.name, name));
   if (found->second.size() < 2) {
@@ -190,8 +190,8 @@ std::string comparison_text(const Json& json) {
 ToolResult compare_tool(const ToolInput& input) {
   const auto deck = read_tool_deck<CompareDeck>(input, check);
   if (input.files.size() != 2) throw DeckError("compare needs two files");
-  const Columns a = columns_of(input.files[0]);
-  const Columns b = columns_of(input.files[1]);
+  const NamedColumns a = columns_of(input.files[0]);
+  const NamedColumns b = columns_of(input.files[1]);
   Json figures = Json::array();
   for (const ComparedFigure& f : deck.figures) {
     figures.push_back(

@@ -112,8 +112,12 @@ TEST(ExpectedCost, ByWorkUntilMoreIsKnown) {
 TEST(ExpectedCost, AtTheSpeedOfTheNearestCompleteRun) {
   const std::vector<StudyRun> runs = runs_at(study(), {{0.1, 0.2}, {0.5, 0.2}, {0.9, 0.2}});
   std::vector<RunRecord> records(6);
-  records[0] = {RunState::done, "", {}, "", 10.0, 1, 0};
-  records[4] = {RunState::plugged, "", {}, "", 5.0, 4, 0};
+  records[0].state = RunState::done;
+  records[0].wall_seconds = 10.0;
+  records[0].ranks = 1;
+  records[4].state = RunState::plugged;
+  records[4].wall_seconds = 5.0;
+  records[4].ranks = 4;
   EXPECT_EQ(begun_then_longest(runs, records, study().parameters, [](const StudyRun&) { return 7.0; }),
             (Order{5, 1, 2, 3}));
   records[4].wall_seconds = 1.0;

@@ -1,11 +1,14 @@
 #include "commands/command_line.h"
 
+#include <algorithm>
 #include <map>
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "base/vector_level.h"
+#include "deck/nearest.h"
 #include "output/build_info.h"
 
 namespace repose {
@@ -22,10 +25,30 @@ class Text : public Command {
 };
 
 std::string joined_lines(std::string text) {
-  for (char& c : text) {
-    if (c == '\n') c = ' ';
-  }
+  std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
+}
+
+/// What is wrong with a command line that CLI11 does not take, and whose help tells more: that of the command, the
+/// group or the program that was named last.
+std::string refusal(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const CLI::App* named = &app;
+  std::string path = app.get_name();
+  int words = 1;
+  for (; !named->get_subcommands().empty(); ++words) {
+    named = named->get_subcommands().front();
+    path += " " + named->get_name();
+  }
+  std::vector<std::string> commands;
+  for (const CLI::App* command : named->get_subcommands([](const CLI::App*) { return true; })) {
+    commands.push_back(command->get_name());
+  }
+  if (commands.empty() || (words < argc && argv[words][0] == '-')) {
+    return fmt::format("{}; see {} --help", joined_lines(error.what()), path);
+  }
+  if (words == argc) return fmt::format("nothing to do: name a command; see {} --help", path);
+  return fmt::format("there is no command \"{}\"; did you mean {}? {} --help lists them", argv[words],
+                     nearest(argv[words], commands), path);
 }
 
 /// A command of the help and what carries it out.
@@ -70,7 +93,7 @@ CommandLine parse_command_line(int argc, char** argv) {
   } catch (const CLI::CallForHelp&) {
     return {std::make_unique<Text>(app.help())};  // of the subcommand that was named, if any
   } catch (const CLI::ParseError& error) {
-    throw DeckError(joined_lines(error.what()) + "; see repose --help");
+    throw DeckError(refusal(app, error, argc, argv));
   }
   if (wants_version) return {std::make_unique<Text>(version_text(to_string(best_vector_level())))};
   for (Offer& offer : offers) {

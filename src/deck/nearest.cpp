@@ -5,6 +5,11 @@
 #include <numeric>
 
 namespace repose {
+namespace {
+
+constexpr std::size_t least_part = 3;  // letters that are not in a name by chance
+
+}  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -22,11 +27,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view text, const std::vector<std::string>& candidates) {
+  const auto holds_text = [&](const std::string& candidate) {
+    return text.size() >= least_part && candidate.find(text) != std::string::npos;
+  };
+  const bool only_holders = std::any_of(candidates.begin(), candidates.end(), holds_text);
   std::string best;
   std::size_t best_distance = std::numeric_limits<std::size_t>::max();
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(text, candidate);
-    if (distance < best_distance) {
+    if (distance < best_distance && (!only_holders || holds_text(candidate))) {
       best_distance = distance;
       best = candidate;
     }

@@ -135,6 +135,7 @@ class ReadyTests(FolderTest):
 
     def test_bad_input(self):
         self.fails(2, r'no ready test "lifted_cilinder"; did you mean lifted_cylinder\?', "new", "lifted_cilinder")
+        self.fails(2, r'no ready test "drum"; did you mean rotating_drum\?', "new", "drum")
         self.fails(2, r"--diameter 3 kg: must be a length above 0", "new", "ledge", "--diameter", "3 kg")
         self.fails(2, r"--diameter -1: must be a length", "new", "ledge", "--diameter=-1")
         self.fails(2, r"--density heavy: must be a density", "new", "ledge", "--density", "heavy")

@@ -120,9 +120,9 @@ class Thermal(FolderTest):
         self.fails(2, "contact_rise_K would be", "thermal", "synthesise", mica, "--set",
                    "synthetic.layer.0.conductivity=1e-300")
         self.fails(2, 'unknown key "bulk_densty"', "thermal", "bed", bed, "--set", "bulk_densty=2600")
-        self.fails(2, "see repose --help", "thermal")
-        self.fails(2, "see repose --help", "thermal", "oven", bed)
-        self.fails(2, "see repose --help", "compare", few, "--deck", bed)
+        self.fails(2, "see repose thermal --help", "thermal")
+        self.fails(2, 'there is no command "oven"', "thermal", "oven", bed)
+        self.fails(2, "see repose compare --help", "compare", few, "--deck", bed)
         self.fails(4, "absent.csv: cannot open", "thermal", "tps", self.path("absent.csv"), "--deck", tps)
         self.fails(4, "absent.toml: cannot open", "thermal", "bed", self.path("absent.toml"))
         self.fails(4, "few.csv", "thermal", "bed", bed, "--output", few)

@@ -103,6 +103,8 @@ TEST(Nearest, EditDistance) {
   EXPECT_EQ(edit_distance("step", "step"), 0u);
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
   EXPECT_EQ(nearest("densty", {"name", "density", "diameter"}), "density");
+  EXPECT_EQ(nearest("drum", {"dream", "a_long_rotating_drum", "rotating_drum"}), "rotating_drum");
+  EXPECT_EQ(nearest("is", {"disc", "if"}), "if");  // two letters are in a name by chance
   EXPECT_EQ(nearest("anything", {}), "");
 }
 

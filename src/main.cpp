@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "comm/abort_job.h"
 #include "commands/command_line.h"
 
 namespace {
@@ -34,7 +35,6 @@ int main(int argc, char** argv) {
   } catch (const repose::Error& error) {
     return end_with(error, process);
   } catch (const std::exception& error) {  // on this rank alone, perhaps: the others may wait for it for ever
-    fmt::print(stderr, "repose: rank {}: {}\n", process.ranks().rank(), error.what());
-    process.abort(1);
+    repose::abort_job(process.ranks(), error.what());
   }
 }

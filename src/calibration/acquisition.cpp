@@ -69,8 +69,8 @@ struct Outlook {
     return chance[choice] * weight.dot(change.cwiseQuotient(total));
   }
   void choose(Index choice) {
-    if (chance[choice] < 0.5) return;
-    const double total = between(choice, choice) + noise[choice] + 1e-300;
+    if (!(chance[choice] > 0.0)) return;
+    const double total = between(choice, choice) + noise[choice] / chance[choice] + 1e-300;
     const Vector down = across.col(choice);
     const Vector there = between.col(choice);
     variance -= down.cwiseAbs2() / total;  // (C.17)

@@ -5,12 +5,6 @@
 #include <utility>
 
 namespace repose {
-namespace {
-
-/// Whether the points can bear a plane as the mean: with few of them its slopes would take all that they say.
-bool bears_plane(const Replicates& data) { return data.size() >= 3 * (data.points.cols() + 1); }
-
-}  // namespace
 
 GaussianProcess::GaussianProcess(Replicates data)
     : data_(std::move(data)),

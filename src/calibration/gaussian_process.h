@@ -14,7 +14,7 @@ struct SurfaceValue {
 };
 
 /// A Gaussian process through the means of runs at points of the unit box (Rasmussen and Williams 2006, chapter 2;
-/// docs/theory.md, "Calibration"). Mean: a plane, or a constant when there are too few points for one.
+/// docs/theory.md, "Calibration"). Mean: a plane, or a constant where the points do not bear one.
 class GaussianProcess {
  public:
   /// With the most likely hyperparameters. Needs at least four points.
@@ -31,7 +31,6 @@ class GaussianProcess {
   Matrix covariance(const Matrix& a, const Matrix& b) const;
 
   const Replicates& data() const { return data_; }
-  const Hyperparameters& hyperparameters() const { return hyperparameters_; }
   double noise_variance() const { return f_.signal_variance * hyperparameters_.noise_ratio; }  ///< of one run
   double signal_variance() const { return f_.signal_variance; }
   double freedom() const { return f_.freedom; }  ///< degrees of freedom of both variances

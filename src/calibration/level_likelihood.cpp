@@ -106,9 +106,7 @@ Vector squares_at_points(const Replicates& data) {
 
 }  // namespace
 
-bool has_plane(const Replicates& data, bool is_lowest) {
-  return is_lowest && data.size() >= 3 * (data.points.cols() + 1);
-}
+bool has_plane(const Replicates& data, bool is_lowest) { return is_lowest && bears_plane(data); }
 
 double level_deviance(const Replicates& data, const BelowLevel& below, double taken, const Vector& x,
                       Vector& gradient) {
@@ -134,7 +132,7 @@ double level_deviance(const Replicates& data, const BelowLevel& below, double ta
       h.added_variance * slope.cwiseProduct(MaternKernel{h.lengths}.slopes(data.points, data.points));
   const Vector by_noise =
       (slope.diagonal().cwiseQuotient(data.count) + (repeats - squares.cwiseQuotient(f.noise)).cwiseQuotient(f.noise))
-          .cwiseProduct(f.noise);
+          .cwiseProduct(Vector(f.noise.array() - LevelParameters::least_noise));
   for (Index j = 0; j < d; ++j) {
     const Vector place = data.points.col(j) / h.lengths[j];
     const Matrix apart = place.rowwise().replicate(n) - place.transpose().colwise().replicate(n);

@@ -13,10 +13,11 @@ struct LevelParameters {
   double added_variance = 0.0;
   Vector noise;  ///< ln of the variance of one run: in the middle of the box, and its slopes over the box (C.24)
 
-  /// Variance of one run at a point; its floor keeps covariances of noise-free values positive definite.
+  static constexpr double least_noise = 1e-9;  ///< keeps covariances of noise-free values positive definite
+
+  /// Variance of one run at a point.
   double noise_variance(const Vector& point) const {
-    constexpr double least = 1e-9;
-    return least + std::exp(noise[0] + noise.tail(point.size()).dot(Vector(point.array() - 0.5)));
+    return least_noise + std::exp(noise[0] + noise.tail(point.size()).dot(Vector(point.array() - 0.5)));
   }
 };
 

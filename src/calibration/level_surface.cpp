@@ -1,12 +1,14 @@
 #include "calibration/level_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "calibration/lattice.h"
 #include "calibration/misfit.h"
+#include "calibration/posterior_estimate.h"
 
 namespace repose {
 namespace {
@@ -94,9 +96,9 @@ double LevelSurface::deviation_of(double level, double deviation, const Vector& 
 }
 
 double LevelSurface::explained(std::size_t level) const {
-  constexpr Index nodes[] = {0, 101, 21, 9};
+  constexpr std::array<Index, most_parameters + 1> sides = {0, 101, 21, 9, 5, 4, 4};
   const Index d = data(0).points.cols();
-  const BoxLattice lattice = unit_lattice(d, nodes[d]);
+  const BoxLattice lattice = unit_lattice(d, sides.at(static_cast<std::size_t>(d)));
   Vector whole(lattice.size());
   Vector added(lattice.size());
   for (Index node = 0; node < lattice.size(); ++node) {

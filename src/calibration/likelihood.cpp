@@ -40,6 +40,14 @@ Matrix mean_terms(const Matrix& points, bool linear) {
   return terms;
 }
 
+bool bears_plane(const Replicates& data) {
+  constexpr double least_pivot = 1e-6;  // of the greatest: below it the points lie in less than the box
+  if (data.size() < 3 * (data.points.cols() + 1)) return false;
+  Eigen::ColPivHouseholderQR<Matrix> qr(mean_terms(data.points, true));
+  qr.setThreshold(least_pivot);
+  return qr.rank() == data.points.cols() + 1;
+}
+
 Hyperparameters hyperparameters_at(const Vector& log_parameters) {
   const Index d = log_parameters.size() - 1;
   return {.lengths = log_parameters.head(d).array().exp(), .noise_ratio = least_noise + std::exp(log_parameters[d])};

@@ -20,6 +20,10 @@ inline constexpr double log_noise_scatter = 4.0;
 /// The terms of the mean at each row of `points`: 1 and the parameters about the middle of the box.
 Matrix mean_terms(const Matrix& points, bool linear);
 
+/// Whether a plane can be the mean: with few points its slopes would take all that they say, and points that lie on a
+/// line of the box tell no slope across it.
+bool bears_plane(const Replicates& data);
+
 /// The parts of a Gaussian process with given hyperparameters, all over the signal variance.
 struct Factors {
   Eigen::LLT<Matrix> covariance;  ///< of the means at the points: kernel and noise

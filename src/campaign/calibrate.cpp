@@ -18,7 +18,6 @@
 #include "comm/agreement.h"
 #include "deck/calibration_deck.h"
 #include "files/atomic_file.h"
-#include "files/directory.h"
 #include "files/shared_file.h"
 
 namespace repose {
@@ -84,6 +83,15 @@ std::string search_text(const AdaptiveDeck& a) {
   return text + " in all\n";
 }
 
+/// What `repose estimate` reads in the directory.
+void write_copies(const CalibrationDeck& deck, const std::string& text, const RunRequest& request) {
+  write_text_file(request.output + deck_file, text);
+  for (const ObservableDeck& o : deck.observables) {
+    if (!o.is_curve()) continue;
+    write_text_file(request.output + "/" + curve_copy(o), read_whole_file(path_beside(request.deck, o.curve)));
+  }
+}
+
 std::string write_estimate(const Projection& projection, std::span<const StudyRun> runs, const std::string& directory) {
   const Report report = report_of(projection, runs);
   if (!report.samples.empty()) write_text_file(directory + samples_file, report.samples);
@@ -97,14 +105,11 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
                            const std::string& report_file) {
   const std::string text = read_shared_file(world, request.deck);
   const CalibrationDeck deck = read_deck_and_curves(world, text, request.deck);
+  const StudyDirectory directory(world, request.output);
   std::optional<LiveReport> live;
   agree_after_root(world, [&] {
-    create_output_directory(request.output);
-    write_text_file(request.output + deck_file, text);
-    for (const ObservableDeck& o : deck.observables) {
-      if (!o.is_curve()) continue;
-      write_text_file(request.output + "/" + curve_copy(o), read_whole_file(path_beside(request.deck, o.curve)));
-    }
+    CalibrationWork(world, deck, text, request, {}, nullptr).check(first_points(deck));
+    write_copies(deck, text, request);
     if (!report_file.empty()) live.emplace(request.output, report_file, request.log);
   });
   CalibrationWork work(world, deck, text, request, stop_asked, live ? &*live : nullptr);

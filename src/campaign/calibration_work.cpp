@@ -57,6 +57,10 @@ std::string CalibrationWork::planned(std::span<const LevelPoint> points) const {
   return planned_work_text(plan_, runs, deck_.adaptive.core_speed, world_.size());
 }
 
+void CalibrationWork::check(std::span<const LevelPoint> points) const {
+  check_campaign(plan_, level_runs(deck_, overrides_, points));
+}
+
 DoneRuns CalibrationWork::at(std::span<const LevelPoint> points) {
   std::vector<StudyRun> runs = level_runs(deck_, overrides_, points);
   agree_after_root(world_, [&] { check_campaign(plan_, runs); });

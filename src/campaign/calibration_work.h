@@ -28,6 +28,9 @@ class CalibrationWork {
   CalibrationWork(const Communicator& world, const CalibrationDeck& deck, const std::string& text,
                   const RunRequest& request, const StopAsked& stop_asked, LiveReport* report);
 
+  /// Whether the runs at these points can be in the directory. For rank 0. DeckError, FileError.
+  void check(std::span<const LevelPoint> points) const;
+
   /// The runs at all these points; what is complete is not done again. DeckError, FileError, Stopped.
   DoneRuns at(std::span<const LevelPoint> points);
 

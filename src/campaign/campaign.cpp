@@ -14,6 +14,7 @@
 #include "campaign/expected_cost.h"
 #include "campaign/planned_work.h"
 #include "campaign/rank_groups.h"
+#include "comm/abort_job.h"
 #include "comm/agreement.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
@@ -80,8 +81,8 @@ class Group {
     } catch (const Error& error) {  // the same on all ranks of the group
       note_failure(folder, error.code(), error.what());
     } catch (const std::exception& error) {
-      if (comm_.size() > 1) throw;  // on this rank alone, perhaps
-      note_failure(folder, ExitCode::physics, error.what());
+      if (comm_.size() > 1) throw;                         // on this rank alone, perhaps
+      note_failure(folder, ExitCode::file, error.what());  // memory was short, perhaps: it is tried again
     }
     return true;
   }
@@ -100,13 +101,12 @@ class Group {
   }
 
   /// Where not even that can be written, the run waits again; the other groups must not wait for this one.
-  void note_failure(const std::string& folder, ExitCode code, const std::string& reason) {
+  void note_failure(const std::string& folder, ExitCode code, const std::string& reason) const {
     try {
       if (comm_.is_root()) write_failure(folder, code, reason);
     } catch (const FileError& error) {
       plan_.log.warn(fmt::format("{}; {}", reason, error.what()));
     }
-    if (comm_.is_root()) counters_.add(failed_runs, 1);
   }
 
   /// The job's own reason, or that another group has one.
@@ -174,7 +174,31 @@ void wait_for_all(const Communicator& world, CampaignWatch* watch) {
   }
 }
 
+/// Collective. Works on the parts, one after the other.
+PartsWork work_on(const Communicator& world, const CampaignPlan& plan, std::span<const StudyRun> runs,
+                  std::span<const std::vector<std::size_t>> parts, SharedCounters& counters, CampaignWatch* watch,
+                  const StopAsked& stop_asked, CampaignEffort& effort) {
+  PartsWork work;
+  for (std::size_t p = 0; work.complete && p < parts.size(); ++p) {
+    const int groups = group_count(world.size(), runs[parts[p].front()].ranks, std::ssize(parts[p]));
+    const Communicator comm(world, group_of(world.rank(), world.size(), groups));
+    Group group(comm, plan, counters, watch, stop_asked);
+    work.add(group, runs, parts[p], next_of_part + static_cast<int>(p));
+    wait_for_all(world, watch);
+    work.complete = world.min(work.complete ? 1 : 0) == 1;
+    effort.groups = std::max(effort.groups, groups);
+  }
+  return work;
+}
+
 }  // namespace
+
+StudyDirectory::StudyDirectory(const Communicator& world, const std::string& directory) {
+  agree_after_root(world, [&] {
+    create_output_directory(directory);
+    lock_.emplace(directory);
+  });
+}
 
 CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, const std::string& deck_text,
                      const RunRequest& request) {
@@ -227,11 +251,6 @@ void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
 
 std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPlan& plan, std::span<const StudyRun> runs,
                                     const StopAsked& stop_asked, CampaignEffort& effort) {
-  std::optional<DirectoryLock> lock;
-  agree_after_root(world, [&] {
-    create_output_directory(plan.directory);
-    lock.emplace(plan.directory);
-  });
   PlannedWork planned(plan);
   const std::vector<std::vector<std::size_t>> parts = shared_parts(world, plan, runs, planned);
   SharedCounters counters(world, next_of_part + static_cast<int>(parts.size()));
@@ -244,29 +263,27 @@ std::vector<RunRecord> run_campaign(const Communicator& world, const CampaignPla
 
   const WallClock::time_point start = WallClock::now();
   PartsWork work;
-  for (std::size_t p = 0; work.complete && p < parts.size(); ++p) {
-    const int groups = group_count(world.size(), runs[parts[p].front()].ranks, std::ssize(parts[p]));
-    const Communicator comm(world, group_of(world.rank(), world.size(), groups));
-    Group group(comm, plan, counters, my_watch, stop_asked);
-    work.add(group, runs, parts[p], next_of_part + static_cast<int>(p));
-    wait_for_all(world, my_watch);
-    work.complete = world.min(work.complete ? 1 : 0) == 1;
-    effort.groups = std::max(effort.groups, groups);
+  try {
+    work = work_on(world, plan, runs, parts, counters, my_watch, stop_asked, effort);
+  } catch (const Error&) {  // on all ranks
+    throw;
+  } catch (const std::exception& error) {  // on this rank alone, perhaps: to end the counters takes all of them
+    abort_job(world, error.what());
   }
   effort.wall_seconds = world.max(seconds_since(start));
   effort.idle_share = parts.empty() ? 0.0 : 1.0 - world.sum(work.busy_seconds) / (effort.wall_seconds * world.size());
   effort.runs = world.sum(world.is_root() ? counters.read(finished_runs) : 0);
-  if (work.complete) {
-    std::vector<RunRecord> records;
-    agree_after_root(world, [&] { records = watch->write_tables(); });
-    return records;
-  }
-  agree_after_root(world, [&] { watch->write_tables(); });
+  std::vector<RunRecord> records;
+  agree_after_root(world, [&] { records = watch->finish(); });
+  if (work.complete) return records;
   agree_after(world, [&] {
     if (work.complaint) throw *work.complaint;
   });
-  throw Stopped(fmt::format("stopped with {} of {} runs complete; the same command goes on from there",
-                            std::ssize(runs) - run_count(parts) + effort.runs, runs.size()));
+  std::int64_t complete =
+      std::count_if(records.begin(), records.end(), [](const auto& r) { return is_complete(r.state); });
+  world.broadcast(complete);
+  throw Stopped(
+      fmt::format("stopped with {} of {} runs complete; the same command goes on from there", complete, runs.size()));
 }
 
 }  // namespace repose

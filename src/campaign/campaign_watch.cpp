@@ -4,7 +4,6 @@
 
 #include <fmt/core.h>
 
-#include "campaign/rank_groups.h"
 #include "output/progress.h"
 
 namespace repose {
@@ -12,7 +11,7 @@ namespace repose {
 CampaignWatch::CampaignWatch(const CampaignPlan& plan, std::span<const StudyRun> runs,
                              std::span<const std::vector<std::size_t>> parts, SharedCounters& counters,
                              const WorkOf& work_of)
-    : plan_(plan), runs_(runs), parts_(parts), to_do_(run_count(parts)), counters_(counters), work_(runs.size()) {
+    : plan_(plan), runs_(runs), parts_(parts), counters_(counters), work_(runs.size()) {
   for (const std::vector<std::size_t>& part : parts) {
     for (const std::size_t run : part) work_[run] = work_of(runs[run]);
   }
@@ -31,13 +30,17 @@ void CampaignWatch::look_at_runs() {
   const std::int64_t finished = counters_.read(finished_runs);
   if (finished == last_finished_) return;
   last_finished_ = finished;
-  std::string left;
   try {
-    left = left_text(write_tables());
-  } catch (const FileError& error) {  // in the midst of a run: the tables of the end are made without it
+    std::vector<RunRecord> records = read_records();
+    for (const std::size_t run : drawn_runs()) {
+      if (records[run].state == RunState::waiting && records[run].reason.empty())
+        records[run].state = RunState::running;
+    }
+    plan_.log.say(progress(records));
+    write_tables(records);
+  } catch (const std::exception& error) {  // in the midst of a run, which has no part in it: the end will show
     plan_.log.warn(error.what());
   }
-  plan_.log.say(progress(left));
 }
 
 std::vector<std::size_t> CampaignWatch::drawn_runs() const {
@@ -50,12 +53,12 @@ std::vector<std::size_t> CampaignWatch::drawn_runs() const {
   return drawn;
 }
 
-std::string CampaignWatch::progress(const std::string& left) const {
-  const std::int64_t finished = counters_.read(finished_runs);
-  const std::int64_t failed = counters_.read(failed_runs);
-  const std::int64_t done = std::ssize(runs_) - to_do_ + finished - failed;
-  return fmt::format("runs {} of {} done, {} running, {} failed{}", done, runs_.size(),
-                     std::ssize(drawn_runs()) - finished, failed, left);
+std::string CampaignWatch::progress(std::span<const RunRecord> records) const {
+  const auto count = [&](auto&& is) { return std::count_if(records.begin(), records.end(), is); };
+  return fmt::format("runs {} of {} done, {} running, {} failed{}",
+                     count([](const RunRecord& r) { return is_complete(r.state); }), records.size(),
+                     count([](const RunRecord& r) { return r.state == RunState::running; }),
+                     count([](const RunRecord& r) { return !r.reason.empty(); }), left_text(records));
 }
 
 std::string CampaignWatch::left_text(std::span<const RunRecord> records) const {
@@ -70,14 +73,19 @@ std::string CampaignWatch::left_text(std::span<const RunRecord> records) const {
   return done > 0.0 ? fmt::format(", {} left", duration_text(seconds_since(start_) * left / done)) : "";
 }
 
-std::vector<RunRecord> CampaignWatch::write_tables() {
-  std::vector<RunRecord> records = read_run_folders(plan_.directory, runs_, plan_.figures);
-  for (const std::size_t run : drawn_runs()) {
-    if (records[run].state == RunState::waiting) records[run].state = RunState::running;
-  }
+std::vector<RunRecord> CampaignWatch::read_records() const {
+  return read_run_folders(plan_.directory, runs_, plan_.figures);
+}
+
+void CampaignWatch::write_tables(std::span<const RunRecord> records) const {
   std::vector<std::string> columns;
   for (const RunFigure& figure : plan_.figures) columns.push_back(figure.column);
   write_campaign_table(plan_, columns, runs_, records);
+}
+
+std::vector<RunRecord> CampaignWatch::finish() const {
+  std::vector<RunRecord> records = read_records();
+  write_tables(records);
   return records;
 }
 

@@ -72,16 +72,25 @@ Row row_at(const std::vector<Row>& rows, std::int64_t step) {
   return {step, before.x + share * (after->x - before.x), before.y + share * (after->y - before.y), after->line};
 }
 
-/// The rows of a window, with one at either end.
+/// x at a step before the first row, as it rises to the second.
+double x_before(const std::vector<Row>& rows, std::int64_t step) {
+  if (rows.size() < 2) return rows.front().x;
+  const double share = static_cast<double>(rows[0].step - step) / static_cast<double>(rows[1].step - rows[0].step);
+  return rows[0].x - share * (rows[1].x - rows[0].x);
+}
+
+/// The rows of a window, x less that of its first step. At either end a row is put between those that stand there; a
+/// table that begins within the window, such as one that a measurement begins with its phase, begins as it does.
 std::vector<Row> rows_within(const std::vector<Row>& rows, const StepWindow& window) {
   if (rows.empty()) return rows;
-  std::vector<Row> result = {row_at(rows, window.first)};
+  const bool begins_within = rows.front().step > window.first;
+  std::vector<Row> result = {begins_within ? rows.front() : row_at(rows, window.first)};
+  const double origin = begins_within ? x_before(rows, window.first) : result.front().x;
   for (const Row& row : rows) {
-    if (row.step > window.first && row.step < window.last) result.push_back(row);
+    if (row.step > result.back().step && row.step < window.last) result.push_back(row);
   }
   const Row end = row_at(rows, window.last);
   if (end.step > result.back().step) result.push_back(end);
-  const double origin = result.front().x;
   for (Row& row : result) row.x -= origin;
   return result;
 }

@@ -92,18 +92,25 @@ std::string nearest_text(const CalibrationDeck& deck, const NearestPoint& neares
   return text;
 }
 
-std::string runs_text(std::span<const RunRecord> records) {
+/// What the runs have come to; of those that will be tried again why the first of them ended.
+std::string runs_text(std::span<const StudyRun> runs, std::span<const RunRecord> records) {
   const auto count = [&](RunState state) {
     return std::count_if(records.begin(), records.end(), [&](const RunRecord& r) { return r.state == state; });
   };
-  return fmt::format("{} runs: {} done, {} plugged, {} failed, {} to come\n", records.size(), count(RunState::done),
-                     count(RunState::plugged), count(RunState::failed),
-                     count(RunState::waiting) + count(RunState::running));
+  std::string text =
+      fmt::format("{} runs: {} done, {} plugged, {} failed, {} to come\n", records.size(), count(RunState::done),
+                  count(RunState::plugged), count(RunState::failed), count(RunState::waiting));
+  const auto ended = std::find_if(records.begin(), records.end(),
+                                  [](const RunRecord& r) { return r.state == RunState::waiting && !r.reason.empty(); });
+  if (ended == records.end()) return text;
+  return text + fmt::format("runs/{}: {}; the same command tries it again\n",
+                            runs[static_cast<std::size_t>(ended - records.begin())].name, ended->reason);
 }
 
 /// Runs whose phase was ended by max_time: perhaps a bed that did not come to rest.
 struct OverduePhase {
-  std::string level;  ///< empty: there is one level
+  std::string level;       ///< empty: there is one level
+  std::string experiment;  ///< likewise
   std::string phase;
   std::ptrdiff_t overdue = 0;
   std::ptrdiff_t complete = 0;
@@ -111,16 +118,22 @@ struct OverduePhase {
 
 std::vector<OverduePhase> overdue_phases(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                                          std::span<const RunRecord> records) {
-  std::map<std::pair<std::size_t, std::string>, std::ptrdiff_t> overdue;
-  std::map<std::size_t, std::ptrdiff_t> complete;
+  using Test = std::pair<std::size_t, std::size_t>;  // level, experiment
+  std::map<std::pair<Test, std::string>, std::ptrdiff_t> overdue;
+  std::map<Test, std::ptrdiff_t> complete;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    complete[runs[i].level] += is_complete(records[i].state);
-    for (const std::string& phase : records[i].overdue) ++overdue[{runs[i].level, phase}];
+    const Test test = {runs[i].level, runs[i].experiment};
+    complete[test] += is_complete(records[i].state);
+    for (const std::string& phase : records[i].overdue) ++overdue[{test, phase}];
   }
   std::vector<OverduePhase> phases;
   for (const auto& [where, count] : overdue) {
-    const auto& [level, phase] = where;
-    phases.push_back({deck.levels.empty() ? "" : deck.levels[level].name, phase, count, complete[level]});
+    const auto& [test, phase] = where;
+    phases.push_back({.level = deck.levels.empty() ? "" : deck.levels[test.first].name,
+                      .experiment = deck.experiments.empty() ? "" : deck.experiments[test.second].name,
+                      .phase = phase,
+                      .overdue = count,
+                      .complete = complete[test]});
   }
   return phases;
 }
@@ -128,8 +141,9 @@ std::vector<OverduePhase> overdue_phases(const CalibrationDeck& deck, std::span<
 std::string overdue_text(std::span<const OverduePhase> phases) {
   std::string text;
   for (const OverduePhase& p : phases) {
-    text += fmt::format("{}phase {} was ended by max_time in {} of {}\n",
-                        p.level.empty() ? "" : "level " + p.level + ": ", p.phase, p.overdue, p.complete);
+    text += fmt::format(
+        "{}{}phase {} was ended by max_time in {} of {}\n", p.level.empty() ? "" : "level " + p.level + ": ",
+        p.experiment.empty() ? "" : "experiment " + p.experiment + ": ", p.phase, p.overdue, p.complete);
   }
   return text;
 }
@@ -139,13 +153,14 @@ Json overdue_json(std::span<const OverduePhase> phases) {
   for (const OverduePhase& p : phases) {
     list.push_back({{"phase", p.phase}, {"runs", p.overdue}, {"of", p.complete}});
     if (!p.level.empty()) list.back()["level"] = p.level;
+    if (!p.experiment.empty()) list.back()["experiment"] = p.experiment;
   }
   return list;
 }
 
-std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, std::span<const RunRecord> records,
-                    std::span<const OverduePhase> overdue, const std::string& curves) {
-  std::string text = runs_text(records) + overdue_text(overdue);
+std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, const std::string& runs,
+                    const std::string& curves) {
+  std::string text = runs;
   for (const ObservableDeck& o : deck.observables) {
     text += fmt::format("laboratory {:26} {:.5g}, standard error {:.2g} ({:.2g} / sqrt({}))", o.figure, o.laboratory,
                         o.deviation / std::sqrt(static_cast<double>(o.repeats)), o.deviation, o.repeats);
@@ -211,7 +226,8 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
   if (!projection.curves.empty()) json["curves"] = curves_json(projection.curves);
   if (result.posterior) json["posterior"] = posterior_json(*result.posterior);
   if (misfit.parameters() == 2) json["surfaces"] = surface_json(misfit, deck, result.limit);
-  std::string text = text_of(deck, result, records, overdue, curves_text(projection.curves));
+  std::string text =
+      text_of(deck, result, runs_text(runs, records) + overdue_text(overdue), curves_text(projection.curves));
   if (!deck.levels.empty()) {
     const OtherEstimate first = first_level_alone(deck, runs, records);
     json["levels"] = levels_json(deck, runs, records);

@@ -38,9 +38,9 @@ std::vector<double> figure_rows(const GridTable& table) {
 void write_hdf5(const std::string& path, const GridTable& table) {
   const Communicator self = Communicator::self();
   const std::int64_t count = std::ssize(table.runs);
-  std::int64_t bytes = 1 << 20;
-  for (const RunRecord& record : table.records) bytes += 1000 + std::ssize(record.reason) * count;
-  Hdf5File file(self, path, bytes + std::ssize(table.deck));
+  std::int64_t longest = 0;
+  for (const RunRecord& record : table.records) longest = std::max(longest, std::ssize(record.reason));
+  Hdf5File file(self, path, (1 << 20) + (1000 + longest) * count + std::ssize(table.deck));
   const RowBlock rows = {count, 0, count};
   file.write_attribute("/", "deck", table.deck);
   for (const auto& [name, text] : build_fields(table.build)) file.write_attribute("/", "build_" + name, text);

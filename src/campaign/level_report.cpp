@@ -108,7 +108,7 @@ Json levels_json(const CalibrationDeck& deck, std::span<const StudyRun> runs, st
     list.push_back({{"name", deck.levels[level].name},
                     {"points", own.points},
                     {"runs", own.runs.size()},
-                    {"core_hours", core_hours(deck, own.records)}});
+                    {"core_hours", core_hours(deck, own.runs, own.records)}});
   }
   return list;
 }
@@ -119,7 +119,7 @@ std::string levels_text(const CalibrationDeck& deck, std::span<const StudyRun> r
   for (std::size_t level = 0; level < deck.levels.size(); ++level) {
     const LevelRuns own = runs_of_level(level, runs, records);
     text += fmt::format("level {:20} {} points, {} runs, {:.3g} core-hours at {:.3g} particle-steps/s\n",
-                        deck.levels[level].name, own.points, own.runs.size(), core_hours(deck, own.records),
+                        deck.levels[level].name, own.points, own.runs.size(), core_hours(deck, own.runs, own.records),
                         deck.adaptive.core_speed);
   }
   return text;

@@ -76,9 +76,9 @@ RunRecord read_run_folder(const std::string& folder, std::span<const std::string
   record.has_checkpoint = std::filesystem::exists(folder) && !checkpoints_in(folder).empty();
   if (!std::filesystem::exists(failure)) return record;
   const Json json = read_json(failure);
-  if (value_of<int>(json, "code", failure) != static_cast<int>(ExitCode::physics)) return record;
-  record.state = RunState::failed;
+  record.failure = static_cast<ExitCode>(value_of<int>(json, "code", failure));
   record.reason = value_of<std::string>(json, "reason", failure);
+  if (record.failure == ExitCode::physics) record.state = RunState::failed;
   return record;
 }
 

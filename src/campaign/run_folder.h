@@ -21,7 +21,8 @@ constexpr bool is_complete(RunState state) { return state == RunState::done || s
 /// What the folder of a run says. The folders are the truth; tables are made from them.
 struct RunRecord {
   RunState state = RunState::waiting;
-  std::string reason;                          ///< failed: the message
+  ExitCode failure = ExitCode::done;           ///< with which it failed, last
+  std::string reason;                          ///< the message of that; it may wait to be tried again
   std::vector<std::optional<double>> figures;  ///< those that were asked for; none where the run has none
   std::string state_hash;
   double wall_seconds = 0.0;

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "base/error.h"
 #include "calibration/start_design.h"
 #include "campaign/estimate_report.h"
 #include "campaign/expected_cost.h"
@@ -66,13 +67,25 @@ BatchPlan batch_after(const CalibrationDeck& deck, const DoneRuns& done, std::si
     }
     return steps / (deck.adaptive.core_speed * seconds_per_hour);
   };
-  if (in_core_hours) batch.budget = a.budget_core_hours - core_hours(deck, done.records);
+  if (in_core_hours) batch.budget = a.budget_core_hours - core_hours(deck, done.runs, done.records);
   return batch;
+}
+
+/// Throws what kept a run from its end: decided without it, a batch would be another one than with it.
+void require_ended(const DoneRuns& done) {
+  for (std::size_t i = 0; i < done.runs.size(); ++i) {
+    const RunRecord& record = done.records[i];
+    if (record.state != RunState::waiting) continue;
+    const bool is_noted = record.failure != ExitCode::done;
+    throw Error(is_noted ? record.failure : ExitCode::file,
+                fmt::format("runs/{}: {}; the search goes on when the same command has done this run",
+                            done.runs[i].name, is_noted ? record.reason : "has not come to its end"));
+  }
 }
 
 /// A row of search.csv after each batch; an empty field for no region.
 std::string row_of(const CalibrationDeck& deck, const DoneRuns& done, std::size_t points, const Estimate& now) {
-  return fmt::format("{},{},{},{}\n", points, done.runs.size(), core_hours(deck, done.records),
+  return fmt::format("{},{},{},{}\n", points, done.runs.size(), core_hours(deck, done.runs, done.records),
                      now.half_width ? fmt::format("{}", *now.half_width) : std::string());
 }
 
@@ -88,9 +101,14 @@ std::string counts_of(const CalibrationDeck& deck, const Points& points) {
 
 }  // namespace
 
-double core_hours(const CalibrationDeck& deck, std::span<const RunRecord> records) {
+double core_hours(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
   double sum = 0.0;
-  for (const RunRecord& record : records) sum += record.particle_steps;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    sum += records[i].particle_steps;
+    if (records[i].state != RunState::failed) continue;
+    sum += expected_particle_steps(runs, records, deck.study.parameters, runs[i].level, runs[i].experiment,
+                                   runs[i].values);
+  }
   return sum / (deck.adaptive.core_speed * seconds_per_hour);
 }
 
@@ -115,6 +133,7 @@ DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
     DoneRuns done = work.at(points);
     Points more;
     agree_after_root(work.world(), [&] {
+      require_ended(done);
       const Projection now_known = project_curves(deck, work.directory(), done.runs, done.records);
       const Misfit misfit = misfit_of(now_known.deck, done.runs, now_known.records);
       const Estimate now = estimate(misfit, deck.confidence);

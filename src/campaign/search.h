@@ -12,7 +12,8 @@ DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work);
 /// The points that a search starts from, at every level.
 std::vector<LevelPoint> first_design(const CalibrationDeck& deck);
 
-/// Core-hours of runs that are complete, at the deck's speed of a core.
-double core_hours(const CalibrationDeck& deck, std::span<const RunRecord> records);
+/// Core-hours of runs that have ended, at the deck's speed of a core. One that failed counts as long as it was expected
+/// to take.
+double core_hours(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records);
 
 }  // namespace repose

@@ -14,7 +14,6 @@
 #include "comm/agreement.h"
 #include "deck/sensitivity_deck.h"
 #include "files/atomic_file.h"
-#include "files/directory.h"
 #include "files/json_text.h"
 #include "files/shared_file.h"
 #include "run/run_plan.h"
@@ -175,10 +174,10 @@ std::string sensitivity_file(const Communicator& world, const RunRequest& reques
   const CampaignPlan plan = plan_of_figures(deck, text, request);
   const Design design(deck);
   const std::vector<StudyRun> runs = runs_at(plan.study, design.all);
+  const StudyDirectory directory(world, request.output);
   agree_after_root(world, [&] {
-    create_output_directory(request.output);
-    write_text_file(request.output + "/sensitivity.toml", text);
     check_campaign(plan, runs);
+    write_text_file(request.output + "/sensitivity.toml", text);
   });
   CampaignEffort effort;
   const std::vector<RunRecord> records = run_campaign(world, plan, runs, stop_asked, effort);

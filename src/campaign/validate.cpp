@@ -72,7 +72,7 @@ std::string cell(const Json& value, const Json& error, const Display& display) {
 }
 
 std::string difference(const Json& value, const Json& laboratory) {
-  if (value.is_null()) return "-";
+  if (value.is_null() || laboratory.get<double>() == 0.0) return "-";
   return fmt::format("{:+.1f} %", 100.0 * (value.get<double>() / laboratory.get<double>() - 1.0));
 }
 

@@ -39,9 +39,4 @@ StopAsked Process::stop_asked(std::optional<double> time_limit) {
   return [this](double needed) { return stop_.reason(needed); };
 }
 
-void Process::abort(int code) const {
-  if (mpi_) MPI_Abort(MPI_COMM_WORLD, code);
-  std::exit(code);
-}
-
 }  // namespace repose

@@ -25,8 +25,6 @@ class Process {
   void say(const std::string& text) const;
   /// What a run asks whether it has to stop, within the time limit in s, if there is one.
   StopAsked stop_asked(std::optional<double> time_limit);
-  /// Ends all processes, of which others may wait for this one for ever.
-  [[noreturn]] void abort(int code) const;
 
  private:
   int* argc_;

@@ -145,8 +145,8 @@ class Run {
     const Communicator& comm = simulation_.comm();
     std::string reason = reason_here.value_or("");
     comm.broadcast(reason, comm.min(reason_here ? comm.rank() : comm.size()));
-    throw Stopped(fmt::format("stopped by {} at step {}, {:.6g} s; the same command with --restart goes on from there",
-                              reason, simulation_.steps(), simulation_.time()));
+    throw Stopped(fmt::format("stopped by {} at step {}, {:.6g} s; the same command{} goes on from there", reason,
+                              simulation_.steps(), simulation_.time(), options_.restart ? "" : " with --restart"));
   }
 
   OutputOptions options_;

@@ -222,6 +222,23 @@ class Calibrate(FolderTest):
         done = self.call("calibrate", self.write(GRID, sets=[*REDUCED, "pair.1.restitution=0.3"], seeds=1))
         self.assertEqual(done.returncode, 2)
         self.assertIn("restitution", done.stderr)
+        self.assertNotIn("pair.1.restitution=0.3", self.read("calibration.toml"))  # what was refused has left nothing
+
+    def test_a_run_that_cannot_be_set_up_is_named_and_tried_again(self):
+        """A grid goes on without it; a search, which would decide otherwise without it, does not."""
+        radius = '[[parameter]]\nname = "radius"\nkey = "particles.0.radius"\nvalues = [3e-4, 3.5e-3, 3.6e-3]\n'
+        text = GRID.replace(RESTITUTION + "min = 0.2\nmax = 0.8\npoints = 3\n", radius)
+        for _ in range(2):
+            says = self.calibrate(self.write(text, seeds=1))
+            self.assertIn("6 runs: 4 done, 0 plugged, 0 failed, 2 to come\nruns/sliding=0.1,radius=0.0003,seed=1: ", says)
+            self.assertIn("particles fit into the region", says)
+        self.assertEqual([row["state"] for row in self.table() if "fit" in row["reason"]], ["waiting"] * 2)
+        narrow = radius.replace("values = [3e-4, 3.5e-3, 3.6e-3]", "min = 3e-4\nmax = 4e-4")
+        search = SLIDING + "min = 0.1\nmax = 0.4\n" + narrow + MASS + RATE + \
+            "[adaptive]\nstart = 4\nbatch = 2\nbudget = 6\nhalf_width = 0.01\n"
+        done = self.call("calibrate", self.write(search, seeds=1), output=self.path("search"))
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertRegex(done.stderr, r"repose: runs/\S+: .*particles fit into the region.*; the search goes on when")
 
     def test_estimate_with_other_laboratory_values(self):
         self.calibrate(self.write(GRID))

@@ -246,6 +246,27 @@ TEST(LevelSurface, SpeaksInUnitsOfTheLastLevel) {
   }
 }
 
+TEST(LevelSurface, TellsWhatALevelExplainsOverUpToSixParameters) {
+  for (const std::size_t parameters : {std::size_t{4}, std::size_t{5}, std::size_t{6}}) {
+    std::vector<ParameterRange> ranges;
+    for (std::size_t k = 0; k < parameters; ++k) ranges.push_back({"p" + std::to_string(k), 0.0, 1.0});
+    const std::vector<std::vector<double>> design = start_design(ranges, 12, 1);
+    const auto d = static_cast<Index>(parameters);
+    Matrix points(24, d);
+    RunLevels levels = {.count = 2, .of_run = {}};
+    std::vector<double> values;
+    for (Index run = 0; run < 24; ++run) {
+      const std::vector<double>& point = design[static_cast<std::size_t>(run % 12)];
+      for (Index j = 0; j < d; ++j) points(run, j) = point[static_cast<std::size_t>(j)];
+      levels.of_run.push_back(run < 12 ? 0 : 1);
+      values.push_back((run < 12 ? 1.0 : 2.0) * (point[0] + point[1] * point[2]));
+    }
+    const LevelSurface surface("mass", Transform::none, points, values, levels);
+    EXPECT_GT(surface.explained(1), 0.8) << parameters;
+    EXPECT_LE(surface.explained(1), 1.0) << parameters;
+  }
+}
+
 TEST(LevelSurface, EveryLevelNeedsItsPoints) {
   const RunLevels levels{.count = 2, .of_run = {0, 0, 0, 0, 1, 1, 1}};
   Matrix points(7, 2);

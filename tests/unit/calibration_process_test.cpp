@@ -115,6 +115,19 @@ TEST(GaussianProcess, OfValuesThatAreAllEqualIsFlat) {
   }
 }
 
+// Ten points with the same first parameter, as where all runs beyond it have plugged, tell no slope along it.
+TEST(GaussianProcess, OfPointsOnALineIsUncertainBesideIt) {
+  Matrix points(10, 2);
+  for (Index i = 0; i < 10; ++i) points.row(i) << 1.0, static_cast<double>(i) / 9.0;
+  const Replicates data = replicates_of(points, values_at(points, smooth));
+  EXPECT_FALSE(bears_plane(data));
+  const GaussianProcess process(data, {.lengths = vector_of({0.5, 0.5}), .noise_ratio = 1e-6});
+  const SurfaceValue far = process.at(vector_of({-20.0, 0.5}));
+  EXPECT_NEAR(far.mean, process.at(vector_of({-40.0, 0.5})).mean, 1e-9);
+  EXPECT_GT(far.deviation, std::sqrt(process.signal_variance()));
+  EXPECT_TRUE(bears_plane(replicates_of(unit_grid(4), values_at(unit_grid(4), smooth))));
+}
+
 TEST(GaussianProcess, OfFourPointsInThreeParameters) {
   const Matrix points = rows({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 0}});
   const GaussianProcess process(replicates_of(points, std::vector<double>{0.0, 1.0, 0.5, 1.5}));

@@ -72,6 +72,16 @@ TEST(RunCurve, WithinAPhaseItBeginsAtZero) {
   EXPECT_EQ(curve.y, (std::vector<double>{0.5, 1, 3, 3.5}));
 }
 
+TEST(RunCurve, OfATableThatBeginsWithinThePhaseCountsFromThePhase) {
+  const StepWindow window = {50, 350};
+  const RunCurve curve = parse_run_curve("step,time_s,discharged_mass_kg\n100,1,5\n200,2,6\n300,3,8\n400,4,9\n",
+                                         "shear.csv", drain(), &window);
+  EXPECT_EQ(curve.x, (std::vector<double>{0.5, 1.5, 2.5, 3}));
+  EXPECT_EQ(curve.y, (std::vector<double>{5, 6, 8, 8.5}));
+  const RunCurve single = parse_run_curve("step,time_s,discharged_mass_kg\n100,1,5\n", "shear.csv", drain(), &window);
+  EXPECT_EQ(single.x, std::vector<double>{0});
+}
+
 TEST(RunCurve, IsLinearBetweenTheRowsAndNowhereElse) {
   ObservableDeck o = drain();
   o.laboratory_curve = {{0.5, 2.5, 4.0}, {}, {}};

@@ -8,6 +8,7 @@
 #include "campaign/expected_cost.h"
 #include "campaign/rank_groups.h"
 #include "campaign/run_list.h"
+#include "campaign/search.h"
 #include "deck/calibration_deck.h"
 
 namespace repose::test {
@@ -123,6 +124,21 @@ TEST(ExpectedCost, AtTheSpeedOfTheNearestCompleteRun) {
   records[4].wall_seconds = 1.0;
   EXPECT_EQ(begun_then_longest(runs, records, study().parameters, [](const StudyRun&) { return 7.0; }),
             (Order{1, 2, 3, 5}));
+}
+
+TEST(ExpectedCost, ARunThatFailedCountsAsLongAsItWasExpectedToTake) {
+  CalibrationDeck deck;
+  deck.study = study();
+  deck.adaptive.core_speed = 1e6;
+  const std::vector<StudyRun> runs = runs_at(deck.study, {{0.1, 0.2}, {0.5, 0.2}});
+  std::vector<RunRecord> records(4);
+  for (std::size_t i : {0U, 1U}) {
+    records[i].state = RunState::done;
+    records[i].particle_steps = 3.6e9;
+  }
+  EXPECT_DOUBLE_EQ(core_hours(deck, runs, records), 2.0);
+  records[2].state = RunState::failed;
+  EXPECT_DOUBLE_EQ(core_hours(deck, runs, records), 3.0);
 }
 
 TEST(ExpectedCost, WhatHasBegunIsEndedBeforeMoreBegins) {

@@ -69,6 +69,8 @@ TEST_F(RunFolder, DoneOrPlugged) {
 TEST_F(RunFolder, OnlyBrokenPhysicsStaysFailed) {
   write_failure(folder, ExitCode::file, "disk full");
   EXPECT_EQ(read_run_folder(folder, figures).state, RunState::waiting);
+  EXPECT_EQ(read_run_folder(folder, figures).failure, ExitCode::file);
+  EXPECT_EQ(read_run_folder(folder, figures).reason, "disk full");
   write_failure(folder, ExitCode::physics, "too deep");
   EXPECT_EQ(read_run_folder(folder, figures).state, RunState::failed);
   EXPECT_EQ(read_run_folder(folder, figures).reason, "too deep");

@@ -55,7 +55,7 @@ const std::vector<CommandEntry>& command_entries() {
       {"photo plate", "count scattered grains on photographs from above", photo_plate_command},
       {"import", "make a deck of an input script of LIGGGHTS", import_command},
       {"new", "write the deck of a ready test, sized for given grains", new_command},
-      {"keys", "list every key of a deck", keys_command},
+      {"keys", "list every key of a deck, or of the file of another command", keys_command},
   };
   return entries;
 }

@@ -1,12 +1,42 @@
+#include <functional>
+#include <map>
+
+#include <fmt/core.h>
+
+#include "base/error.h"
 #include "commands/command.h"
+#include "deck/calibration_deck.h"
+#include "deck/nearest.h"
 #include "deck/resolved_deck.h"
+#include "deck/sensitivity_deck.h"
+#include "deck/validation_deck.h"
+#include "photo/photo_deck.h"
 
 namespace repose {
 namespace {
 
+std::string keys_of(const std::string& command) {
+  static const std::map<std::string, std::function<std::string()>> files = {{"run", deck_keys},
+                                                                            {"calibrate", calibration_keys},
+                                                                            {"sensitivity", sensitivity_keys},
+                                                                            {"validate", validation_keys},
+                                                                            {"photo", photo::photo_keys}};
+  if (const auto found = files.find(command); found != files.end()) return found->second();
+  std::vector<std::string> names;
+  for (const auto& [name, keys] : files) names.push_back(name);
+  throw DeckError(fmt::format("there are no keys of \"{}\"; did you mean {}?", command, nearest(command, names)));
+}
+
 class Keys : public Command {
  public:
-  void carry_out(Process& process) override { process.say(key_reference()); }
+  void declare(Options& options) override {
+    options.argument("COMMAND", command_, "whose file: run (the default), calibrate, sensitivity, validate or photo",
+                     Options::Need::may);
+  }
+  void carry_out(Process& process) override { process.say(keys_of(command_)); }
+
+ private:
+  std::string command_ = "run";
 };
 
 }  // namespace

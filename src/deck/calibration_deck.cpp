@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "deck/key_reference.h"
 #include "deck/plain_name.h"
 #include "deck/read_described.h"
 #include "deck/study_schema.h"
@@ -99,9 +100,9 @@ void describe(V& v, AdaptiveDeck& a) {
 
 template <class V>
 void describe(V& v, CalibrationDeck& d) {
-  describe_study(v, d.study, optional_else("none; each experiment then needs its own"));
   v("confidence", d.confidence, Unit::none, Range{.min = 0, .max = 1, .excludes_min = true, .excludes_max = true},
     optional, "of the region");
+  describe_study(v, d.study, optional_else("none; each experiment then needs its own"));
   v.sections("point", d.points, optional, "a point to run at, instead of a grid");
   v.sections("observable", d.observables, optional, "a figure or a curve and what the laboratory has");
   v.sections("level", d.levels, optional, "a level of the model, the cheapest first; the last one counts");
@@ -285,6 +286,8 @@ void check(CalibrationDeck& deck, DeckErrors& errors) {
 }
 
 }  // namespace
+
+std::string calibration_keys() { return key_reference<CalibrationDeck>("Keys of a file for repose calibrate."); }
 
 CalibrationDeck read_calibration_deck(const std::string& text, const std::string& path) {
   return read_described<CalibrationDeck>(text, path, {}, check);

@@ -108,6 +108,9 @@ StudyDeck study_of_level(const CalibrationDeck& deck, std::size_t level, std::si
 /// Points of the first design of a level.
 std::int64_t start_of_level(const CalibrationDeck& deck, std::size_t level);
 
+/// All its keys, for a person.
+std::string calibration_keys();
+
 /// Reads and checks it. DeckError, with the place, on the first mistake.
 CalibrationDeck read_calibration_deck(const std::string& text, const std::string& path);
 

@@ -26,10 +26,22 @@ void check_stiffness(const std::string& section, const PairDeck& pair, const Con
     errors.add(section + ".hooke_stiffness",
                "\"hooke_stiffness\" belongs to contact.normal_law = \"hooke\"; set that, or remove this");
   }
+  if (!is_hooke && pair.hooke_tangential_ratio != PairDeck{}.hooke_tangential_ratio) {
+    errors.add(section + ".hooke_tangential_ratio",
+               "\"hooke_tangential_ratio\" belongs to contact.normal_law = \"hooke\"; set that, or remove this");
+  }
   if (!is_hooke && has_hooke_damping_rate(pair)) {
     errors.add(section + ".hooke_damping_rate",
                "\"hooke_damping_rate\" belongs to contact.normal_law = \"hooke\"; set that, or give \"restitution\"");
   }
+}
+
+void check_damping_rates(const std::string& section, const PairDeck& pair, const ContactDeck& contact,
+                         DeckErrors& errors) {
+  if (!has_hooke_damping_rate(pair) || contact.tangential_damping != TangentialDamping::normal) return;
+  errors.add(section + ".hooke_tangential_damping_rate",
+             "\"hooke_tangential_damping_rate\" and contact.tangential_damping = \"normal\" both say how the pair is "
+             "damped; remove the latter");
 }
 
 /// A coefficient that no part of the law would read is an oversight.
@@ -51,6 +63,11 @@ void check_combinations(const ContactDeck& contact, DeckErrors& errors) {
     errors.add("contact.cohesion_in_friction",
                "\"cohesion_in_friction\" needs contact.cohesion; set that, or remove this");
   }
+  if (contact.rolling_history == RollingHistory::rotated && contact.rolling_model == RollingModel::cdt) {
+    errors.add(
+        "contact.rolling_history",
+        "\"rolling_history\" = \"rotated\": contact.rolling_model = \"cdt\" has no history; remove one of the two");
+  }
 }
 
 }  // namespace
@@ -61,6 +78,7 @@ void check_contact(const Deck& deck, DeckErrors& errors) {
     const std::string section = fmt::format("pair.{}", i);
     const PairDeck& pair = deck.pairs[i];
     check_stiffness(section, pair, deck.contact, errors);
+    check_damping_rates(section, pair, deck.contact, errors);
     check_used(section, "work_of_adhesion", pair.work_of_adhesion, deck.contact.normal_law == NormalLaw::jkr,
                "normal_law = \"jkr\"", errors);
     const Cohesion cohesion = deck.contact.cohesion;

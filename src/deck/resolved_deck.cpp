@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "deck/deck.h"
+#include "deck/key_reference.h"
 #include "deck/value_text.h"
 
 namespace repose {
@@ -64,6 +65,10 @@ std::string resolved_deck(const Deck& deck) {
   Writer writer;
   describe(writer, copy);
   return writer.text();
+}
+
+std::string deck_keys() {
+  return key_reference<Deck>("Keys of a deck. A number is SI; a text such as \"440 um\" carries its unit.");
 }
 
 }  // namespace repose

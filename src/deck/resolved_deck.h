@@ -10,7 +10,7 @@ namespace repose {
 /// whose default only the scene can tell (such as time.step) are left out unless they were given.
 std::string resolved_deck(const Deck& deck);
 
-/// All keys by section with unit, type, range, default and meaning, as `repose keys` prints them.
-std::string key_reference();
+/// All keys of a deck, as `repose keys` prints them.
+std::string deck_keys();
 
 }  // namespace repose

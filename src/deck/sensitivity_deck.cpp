@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "deck/key_reference.h"
 #include "deck/read_described.h"
 #include "deck/study_schema.h"
 
@@ -43,6 +44,8 @@ void check(SensitivityDeck& deck, DeckErrors& errors) {
 }
 
 }  // namespace
+
+std::string sensitivity_keys() { return key_reference<SensitivityDeck>("Keys of a file for repose sensitivity."); }
 
 SensitivityDeck read_sensitivity_deck(const std::string& text, const std::string& path) {
   return read_described<SensitivityDeck>(text, path, {}, check);

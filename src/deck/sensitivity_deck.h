@@ -20,6 +20,9 @@ struct SensitivityDeck {
   MorrisDeck morris;
 };
 
+/// All its keys, for a person.
+std::string sensitivity_keys();
+
 /// Reads and checks it. DeckError, with the place, on the first mistake.
 SensitivityDeck read_sensitivity_deck(const std::string& text, const std::string& path);
 

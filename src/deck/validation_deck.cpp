@@ -1,8 +1,9 @@
 #include "deck/validation_deck.h"
 
+#include "deck/key.h"
+#include "deck/key_reference.h"
 #include "deck/plain_name.h"
 #include "deck/read_described.h"
-#include "deck/key.h"
 
 namespace repose {
 
@@ -43,6 +44,8 @@ void check(const ValidationDeck& deck, DeckErrors& errors) {
 }
 
 }  // namespace
+
+std::string validation_keys() { return key_reference<ValidationDeck>("Keys of a file for repose validate."); }
 
 ValidationDeck read_validation_deck(const std::string& text, const std::string& path) {
   return read_described<ValidationDeck>(text, path, {}, check);

@@ -30,6 +30,9 @@ struct ValidationDeck {
   std::vector<ValidationCaseDeck> cases;
 };
 
+/// All its keys, for a person.
+std::string validation_keys();
+
 /// Reads it. DeckError, with the place, on the first mistake.
 ValidationDeck read_validation_deck(const std::string& text, const std::string& path);
 

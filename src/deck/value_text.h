@@ -29,6 +29,7 @@ inline std::string kind_text(std::uint64_t) { return "integer"; }
 inline std::string kind_text(const std::string&) { return "text"; }
 inline std::string kind_text(const Vec3&) { return "[x, y, z]"; }
 inline std::string kind_text(const std::array<std::string, 2>&) { return "[text, text]"; }
+inline std::string kind_text(const std::array<double, 2>&) { return "[x, y]"; }
 inline std::string kind_text(const std::vector<double>&) { return "list of numbers"; }
 inline std::string kind_text(const std::vector<std::int64_t>&) { return "list of integers"; }
 inline std::string kind_text(const std::vector<std::string>&) { return "list of texts"; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "deck/key_reference.h"
 #include "deck/read_described.h"
 
 namespace repose::photo {
@@ -44,6 +45,8 @@ void check(PhotoDeck& deck, DeckErrors& errors) {
 }
 
 }  // namespace
+
+std::string photo_keys() { return key_reference<PhotoDeck>("Keys of a file for repose photo."); }
 
 PhotoDeck read_photo_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
   return read_described<PhotoDeck>(text, path, overrides, check);

@@ -118,6 +118,9 @@ void describe(V& v, PhotoDeck& d) {
   v.section("plate", d.plate, optional, "a plate from above");
 }
 
+/// All its keys, for a person.
+std::string photo_keys();
+
 /// Reads and checks it. DeckError, with the place, on the first mistake.
 PhotoDeck read_photo_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
 

@@ -159,7 +159,7 @@ void add_thermal_files(const Seeds& seeds) {
 std::string dictionary() {
   std::set<std::string> words;
   std::string word;
-  for (const char c : repose::key_reference() + " ") {
+  for (const char c : repose::deck_keys() + " ") {
     const bool is_part = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
     if (is_part) word += c;
     if (!is_part && word.size() > 2) words.insert(word);

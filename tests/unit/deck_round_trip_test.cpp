@@ -7,9 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "deck/calibration_deck.h"
+#include "deck/deck.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
-#include "deck/deck.h"
+#include "deck/sensitivity_deck.h"
+#include "deck/validation_deck.h"
 #include "deck/value_text.h"
 #include "deck_example.h"
 #include "support/input_decks.h"
@@ -160,7 +163,7 @@ TEST(AllKeys, NamesEveryKeyInItsSection) {
 }
 
 TEST(KeyReference, NamesEveryKeyOnItsOwnLine) {
-  const std::string text = key_reference();
+  const std::string text = deck_keys();
   for (const auto& [section, keys] : members(read_deck(all_keys_text(), "all_keys.toml", {})).keys) {
     for (const std::string& key : keys)
       EXPECT_NE(text.find("\n  " + key + " "), std::string::npos) << section << "." << key;
@@ -172,6 +175,17 @@ TEST(KeyReference, NamesEveryKeyOnItsOwnLine) {
   EXPECT_NE(single_spaced.find("\n poisson_ratio - number 0 <= x < 0.5 required Poisson's ratio"), std::string::npos);
   EXPECT_NE(text.find("profile|plane|disc|rectangle|mesh"), std::string::npos);
   EXPECT_NE(text.find("1.1 diameters"), std::string::npos);
+}
+
+TEST(KeyReference, OfStudiesHasTheirSections) {
+  for (const char* section :
+       {"[[parameter]]", "[[observable]]", "[[experiment.observable]]", "[[level]]", "[adaptive]"}) {
+    EXPECT_NE(calibration_keys().find(section), std::string::npos) << section;
+  }
+  EXPECT_NE(sensitivity_keys().find("[morris]"), std::string::npos);
+  EXPECT_NE(validation_keys().find("[[case.compare]]"), std::string::npos);
+  EXPECT_EQ(calibration_keys().find("nan"), std::string::npos);
+  EXPECT_LT(calibration_keys().find("\n  confidence "), calibration_keys().find("[[parameter]]"));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "comm/agreement.h"
 
 namespace repose {
 namespace {
@@ -48,7 +49,9 @@ int most_ranks() {
 
 NodeMemory::NodeMemory(const Communicator& comm) : comm_(comm), bases_(static_cast<std::size_t>(comm.size()), nullptr) {
   if (comm.size() == 1) return;
-  const int most = comm.min(most_ranks());
+  int most = 0;
+  agree_after(comm, [&] { most = most_ranks(); });
+  most = comm.min(most);
   MPI_Comm node = MPI_COMM_NULL;
   check_mpi(MPI_Comm_split_type(comm.handle(), MPI_COMM_TYPE_SHARED, comm.rank(), MPI_INFO_NULL, &node),
             "MPI_Comm_split_type");

@@ -18,7 +18,7 @@ namespace repose {
 /// variable REPOSE_NODE_RANKS says how many ranks of a node share memory at most; 1: none.
 class NodeMemory {
  public:
-  /// Collective.
+  /// Collective. Error on all ranks when the environment variable is no number of ranks on one of them.
   explicit NodeMemory(const Communicator& comm);
   ~NodeMemory() { close(); }
   NodeMemory(const NodeMemory&) = delete;
@@ -64,7 +64,9 @@ template <class Ready>
 void wait_until(const Ready& ready) {
   for (int spins = 0; !ready(); ++spins) {
     if (spins < 1000) {
+#if defined(__x86_64__)
       __builtin_ia32_pause();
+#endif
     } else {
       give_way();
     }

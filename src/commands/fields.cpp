@@ -27,7 +27,7 @@ class FieldsCommand : public Command {
     options.quantity("--spacing", given_.spacing, length, "of the cells; a third of the width if not given");
     options.option(
         "--deck", deck_, "DECK",
-        "deck (TOML) in place of the one in FILE; needed for walls that are meshes, whose files lie beside it");
+        "deck (TOML) in place of the one in FILE; needed where it reads meshes or lists, which lie beside it");
     declare_overrides(options, overrides_);
   }
 
@@ -39,13 +39,13 @@ class FieldsCommand : public Command {
 
  private:
   fields::State state_of(const std::string& file) const {
-    const ReadFile read_mesh = [&](const std::string& mesh) {
-      if (!deck_.empty()) return read_whole_file(path_beside(deck_, mesh));
+    const ReadFile read_beside = [&](const std::string& name) {
+      if (!deck_.empty()) return read_whole_file(path_beside(deck_, name));
       throw DeckError(
-          fmt::format("{}: its deck has a mesh, {}: name the deck with --deck, beside which it lies", file, mesh));
+          fmt::format("{}: its deck reads {}: name the deck with --deck, beside which it lies", file, name));
     };
     const std::string text = deck_.empty() ? std::string() : read_whole_file(deck_);
-    return fields::read_state(read_whole_file(file), file, {text, deck_, overrides_}, read_mesh);
+    return fields::read_state(read_whole_file(file), file, {text, deck_, overrides_}, read_beside);
   }
 
   std::string write_all() const {

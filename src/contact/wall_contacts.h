@@ -73,6 +73,8 @@ class WallContacts {
   /// Those that touch one wall.
   std::vector<WallContact> contacts_with(std::int32_t wall, std::span<const Wall> walls,
                                          const Particles& particles) const;
+  /// m, how far apart surfaces that have touched may hold together (SkinRule).
+  double adhesion_range() const { return adhesion_range_; }
   std::size_t in_lanes() const;  ///< particles in the lanes of faces
   std::size_t bytes() const {
     return bytes_of(candidates_) + bytes_of(candidate_walls_) + bytes_of(near_) + bytes_of(near_walls_) +

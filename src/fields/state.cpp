@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -44,10 +45,12 @@ void place_walls(const std::string& state, const std::string& file, double dt, s
   place(walls, dt);
 }
 
-/// Whether it is where the deck says, and there in all phases.
-bool is_settled(const Wall& wall, const Deck& deck) {
+/// Whether it is where the deck says, and there in all phases: those that move with another come and go with it.
+bool is_settled(const Wall& wall, std::span<const Wall> walls, const Deck& deck) {
+  const std::string& leader = wall.moves_with ? walls[*wall.moves_with].name : wall.name;
   const auto names = [&](const std::vector<std::string>& list) {
-    return std::find(list.begin(), list.end(), wall.name) != list.end();
+    return std::any_of(list.begin(), list.end(),
+                       [&](const std::string& name) { return name == wall.name || name == leader; });
   };
   return !wall.travels && std::none_of(deck.phases.begin(), deck.phases.end(), [&](const PhaseDeck& phase) {
     return names(phase.remove_walls) || names(phase.add_walls);
@@ -72,6 +75,30 @@ void refuse_other_names(const Deck& deck, const DeckSource& source, const std::s
     throw DeckError(fmt::format("{}: has other materials or walls than the deck in {}; give the deck of that run",
                                 source.path, file));
   }
+}
+
+/// A snapshot names the solids of grains alone: which of them are held follows from their ids.
+void mark_held(const Deck& deck, const Insertion& insertion, const std::vector<std::int64_t>& ids,
+               std::vector<int>& materials) {
+  for (std::size_t block = 0; block < deck.particles.size(); ++block) {
+    if (!is_held(deck.particles[block])) continue;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (ids[i] < insertion.block_begin[block] || ids[i] >= insertion.block_begin[block + 1]) continue;
+      materials[i] = MaterialTable::held_twin(materials[i], deck.materials.size());
+    }
+  }
+}
+
+/// Those of a snapshot, held ones with the twins of their materials.
+NewParticles snapshot_grains(const std::string& bytes, const std::string& file, const State& state,
+                             const ReadFile& read_file) {
+  const Deck& deck = state.deck;
+  NewParticles grains = parse_snapshot(bytes, file, deck.materials);
+  if (std::any_of(deck.particles.begin(), deck.particles.end(), [](const ParticlesDeck& p) { return is_held(p); })) {
+    const std::vector<std::int64_t> ids = snapshot_particles(bytes, file).particles.id;
+    mark_held(deck, insert_particles_of(deck, state.walls, read_file), ids, grains.material);
+  }
+  return grains;
 }
 
 Particles particles_of(const NewParticles& all) {
@@ -144,10 +171,10 @@ State read_state(const std::string& bytes, const std::string& file, const DeckSo
     place_walls(checkpoint.header.state, file, dt, state.walls);
     take(checkpoint, state);
   } else {
-    state.particles = particles_of(parse_snapshot(bytes, file, deck.materials));
+    state.particles = particles_of(snapshot_grains(bytes, file, state, read_file));
     state.memory = {Csr<PairMemory>::empty(state.particles.owned), Csr<WallMemory>::empty(state.particles.owned)};
     for (Wall& wall : state.walls) {
-      if (is_settled(wall, deck)) continue;
+      if (is_settled(wall, state.walls, deck)) continue;
       wall.present = false;
       state.unknown_walls.push_back(wall.name);
     }

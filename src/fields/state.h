@@ -37,8 +37,9 @@ struct DeckSource {
 };
 
 /// From the bytes of a snapshot or a checkpoint. A checkpoint says where its walls are; with a snapshot those that rest
-/// and are there in all phases count. Meshes are read by `read_file`. FileError, beginning with `file`, for anything
-/// else; DeckError where the deck does not fit.
+/// and are there in all phases count, and which grains are held follows from the blocks of the deck. The files that it
+/// names are read by `read_file`. FileError, beginning with `file`, for anything else; DeckError where the deck does
+/// not fit.
 State read_state(const std::string& bytes, const std::string& file, const DeckSource& deck, const ReadFile& read_file);
 
 }  // namespace repose::fields

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/math.h"
+#include "base/root.h"
 
 namespace repose {
 
@@ -26,7 +27,7 @@ Conductance::Conductance(const Deck& deck) : deck_(deck.heat) {
     emissivity_.push_back(m.emissivity);
   }
   for (const MaterialDeck& a : deck.materials) {
-    for (const MaterialDeck& b : deck.materials) stiffness_root_.push_back(std::cbrt(stiffness_ratio(a, b)));
+    for (const MaterialDeck& b : deck.materials) stiffness_root_.push_back(odd_root<3>(stiffness_ratio(a, b)));
   }
   if (deck_.gas == GapGas::air) gas_.emplace(deck_.pressure);
 }
@@ -37,7 +38,7 @@ Conductance::Conductance(const Deck& deck) : deck_(deck.heat) {
 double Conductance::contact_circle(double r1, double r2, double distance, double stiffness_root) const {
   const double overlap = r1 + r2 - distance;
   if (!(overlap > 0.0)) return 0.0;
-  if (deck_.conductance == ContactConductance::hertz) return std::sqrt(r1 * r2 / (r1 + r2) * overlap) * stiffness_root;
+  if (deck_.conductance == ContactConductance::hertz) return contact_radius_by_root(r1, r2, overlap, stiffness_root);
   const double d = r1 + r2 - overlap * stiffness_root * stiffness_root;
   const double product = (d - r1 - r2) * (d + r1 - r2) * (d - r1 + r2) * (d + r1 + r2);
   return 0.5 * std::sqrt(std::max(0.0, -product)) / d;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/math.h"
+#include "base/root.h"
 #include "heat/constants.h"
 #include "heat/gauss.h"
 
@@ -28,9 +29,13 @@ struct Side {
 }  // namespace
 
 double contact_radius(double radius_1, double radius_2, double overlap, double stiffness_ratio) {
+  return contact_radius_by_root(radius_1, radius_2, overlap, odd_root<3>(stiffness_ratio));
+}
+
+double contact_radius_by_root(double radius_1, double radius_2, double overlap, double stiffness_root) {
   if (overlap <= 0.0) return 0.0;
   const double r_eff = radius_1 * radius_2 / (radius_1 + radius_2);
-  return std::sqrt(r_eff * overlap) * std::cbrt(stiffness_ratio);  // (T.15)
+  return std::sqrt(r_eff * overlap) * stiffness_root;  // (T.15)
 }
 
 double contact_conductance(const GrainPair& pair) {
@@ -40,7 +45,7 @@ double contact_conductance(const GrainPair& pair) {
 double gap_conductance(const GrainPair& pair, const GapFill& fill, double porosity) {
   const double half_gap = 0.5 * std::max(0.0, pair.gap);
   const double mean_radius = 0.5 * (pair.radius_1 + pair.radius_2);
-  const double base = 0.560 * mean_radius / std::cbrt(1.0 - porosity);
+  const double base = 0.560 * mean_radius / odd_root<3>(1.0 - porosity);
   const Side first{pair.radius_1, pair.radius_1 + half_gap, base, pair.conductivity_1};
   const Side second{pair.radius_2, pair.radius_2 + half_gap, base, pair.conductivity_2};
   const auto per_radius = [&](double r) {

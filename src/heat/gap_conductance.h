@@ -23,6 +23,8 @@ struct GapFill {
 /// Radius of the circle of the contact of two grains in m, Hertz: sqrt(R_eff overlap), times the cube root of the
 /// simulated over the real Young's modulus, as the same force presses the real grains less flat (T.15).
 double contact_radius(double radius_1, double radius_2, double overlap, double stiffness_ratio);
+/// The same by that cube root.
+double contact_radius_by_root(double radius_1, double radius_2, double overlap, double stiffness_root);
 
 /// Conductance of the contact's circle in W/K: 2 k a with the harmonic mean of the conductivities (T.16). Batchelor and
 /// O'Brien 1977, doi:10.1098/rspa.1977.0100, for grains of equal conductivity; for two Cheng, Yu and Zulli 1999.

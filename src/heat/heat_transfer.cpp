@@ -141,7 +141,7 @@ std::vector<HeatTransfer::WallFlow> HeatTransfer::wall_flows(const HeatScene& sc
         const auto w = static_cast<std::size_t>(touch.wall);
         if (!walls_[w].enabled) return;
         const WarmBody grain = body(particles, i);
-        const bool is_known = walls_[w].type == WallHeatType::temperature;
+        const bool is_known = wall_temperature_[w] > 0.0;  // neither NaN nor what a power below 0 may come to
         const double temperature = is_known ? wall_temperature_[w] : grain.temperature;
         const WarmBody wall{0.0, temperature, static_cast<std::size_t>(scene.walls[w].material)};
         const double conductance = state_.conductance().of_wall(grain, wall, touch.distance);

@@ -125,16 +125,20 @@ double expected_speed(const Deck& deck, const NewParticles& particles, const std
   const Vec3 g = deck.gravity;
   const auto& [min, max, periodic] = deck.domain;
   const Vec3 lowest = {g.x > 0.0 ? max.x : min.x, g.y > 0.0 ? max.y : min.y, g.z > 0.0 ? max.z : min.z};
+  const double across = norm(max - min);
+  const auto fall = [&](const Vec3& from) {      // g times height
+    return deck.tilt.enabled ? norm(g) * across  // gravity may come to point anywhere
+                             : dot(g, lowest - from);
+  };
   double greatest_square = std::max(1e-6, driven * driven);  // nothing moves by itself: 1 mm/s
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double fall = deck.tilt.enabled ? norm(g) * norm(max - min)  // gravity may come to point anywhere
-                                          : dot(g, lowest - particles.position[i]);  // g times height
-    greatest_square = std::max(greatest_square, squared_norm(particles.velocity[i]) + 2.0 * fall);
+    greatest_square =
+        std::max(greatest_square, squared_norm(particles.velocity[i]) + 2.0 * fall(particles.position[i]));
   }
   for (const Pour& pour : pours) {
     const auto& [bottom, top] = pour.bounds;
     const Vec3 highest = {g.x > 0.0 ? bottom.x : top.x, g.y > 0.0 ? bottom.y : top.y, g.z > 0.0 ? bottom.z : top.z};
-    greatest_square = std::max(greatest_square, squared_norm(pour.deck.velocity) + 2.0 * dot(g, lowest - highest));
+    greatest_square = std::max(greatest_square, squared_norm(pour.deck.velocity) + 2.0 * fall(highest));
   }
   return std::sqrt(greatest_square);
 }

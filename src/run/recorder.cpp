@@ -108,8 +108,16 @@ void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
     opened_ = true;
     for (const Watched& w : watches_) w.watch->vessel_opens(simulation);
   }
+  const Deck& deck = simulation.deck();
   if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
+  if (simulation.steps() == 0 && phase.deck().name == deck.phases.front().name && is_asked_for(0)) {
+    write_snapshot_now(simulation);
+  }
   for (const Watched& w : watches_) w.watch->phase_begins(simulation, phase.deck().name);
+}
+
+bool Recorder::is_asked_for(std::int64_t step) const {
+  return std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end();
 }
 
 Recorder::Due Recorder::due_at(std::int64_t step, const Deck& deck) const {
@@ -117,8 +125,7 @@ Recorder::Due Recorder::due_at(std::int64_t step, const Deck& deck) const {
       .trace = deck.output.trace && step % deck.output.trace_every == 0,
       .check = step % deck.run.check_every == 0,
       .series = series_every_ > 0 && step % series_every_ == 0,
-      .snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) ||
-                  std::find(snapshot_steps_.begin(), snapshot_steps_.end(), step) != snapshot_steps_.end(),
+      .snapshot = (snapshot_every_ > 0 && step % snapshot_every_ == 0) || is_asked_for(step),
       .sample = std::any_of(watches_.begin(), watches_.end(), [&](const Watched& w) { return w.watch->is_due(step); })};
 }
 

@@ -83,6 +83,7 @@ class Recorder {
     bool trace, check, series, snapshot, sample;
     bool anything() const { return trace || check || series || snapshot || sample; }
   };
+  bool is_asked_for(std::int64_t step) const;  ///< a snapshot, by output.snapshot_times
   Due due_at(std::int64_t step, const Deck& deck) const;
   Effort effort() const;
   void remove_earlier_results() const;

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "comm/agreement.h"
 #include "deck/deck_difference.h"
+#include "deck/read_deck.h"
 #include "measurement/state_hash.h"
 #include "output/state_json.h"
 
@@ -28,12 +29,19 @@ nlohmann::json state_of(const FoundCheckpoint& found) {
   }
 }
 
-bool may_differ(const std::string& key, std::size_t phase) {
+/// Whether particles grow in a phase of a resolved deck: how long they may is in the units of mass and heat.
+bool has_growth(const std::string& deck, std::size_t phase) {
+  const std::vector<PhaseDeck> phases = read_deck(deck, "the resolved deck", {}).phases;
+  return phase < phases.size() && phases[phase].growth.enabled;
+}
+
+/// In the deck `now` of a run that has got to `phase`.
+bool may_differ(const std::string& key, const std::string& now, std::size_t phase) {
   if (key.starts_with("output.")) return key != "output.trace";
   std::size_t of = 0;
   int end = 0;
   return std::sscanf(key.c_str(), "phase[%zu].max_time%n", &of, &end) == 1 && end == static_cast<int>(key.size()) &&
-         of >= phase;
+         of >= phase && !has_growth(now, of);
 }
 
 void check_files(const FoundCheckpoint& found, const nlohmann::json& state, const WatchedFiles& files) {
@@ -59,7 +67,7 @@ void refuse_other_deck(const std::string& directory, const std::string& before, 
                        std::size_t phase) {
   std::vector<std::string> list;
   for (const DeckDifference& d : deck_differences(before, now)) {
-    if (may_differ(d.key, phase)) continue;
+    if (may_differ(d.key, now, phase)) continue;
     const auto text = [](const std::string& value) { return value.empty() ? std::string("nothing") : value; };
     list.push_back(fmt::format("{}: {} there, {} here", d.key, text(d.before), text(d.now)));
   }

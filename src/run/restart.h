@@ -38,8 +38,8 @@ class WatchedFiles {
 };
 
 /// DeckError, with the list of keys, when a run that has got to `phase` cannot go on with the deck `now` after `before`
-/// (both resolved): only [output], but for output.trace, and max_time of phases that are not over may differ.
-/// `directory` is named in the message.
+/// (both resolved): only [output], but for output.trace, and max_time of phases that are not over and in which nothing
+/// grows may differ. `directory` is named in the message.
 void refuse_other_deck(const std::string& directory, const std::string& before, const std::string& now,
                        std::size_t phase);
 

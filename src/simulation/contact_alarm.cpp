@@ -112,14 +112,16 @@ class RangeSearch {
   BigVector<ForceSum> sums_;
 };
 
-std::optional<std::size_t> with_too_many_touches(const Particles& particles, std::span<const Wall> walls) {
+std::optional<std::size_t> with_too_many_touches(const Particles& particles, const ContactView& contacts) {
+  const std::span<const Wall> walls = contacts.walls;
   TouchBuffer touches;
   for (std::size_t i = 0; i < particles.owned; ++i) {
     if (is_parked(particles.record[i])) continue;
     touches.clear();
     for (std::size_t w = 0; w < walls.size(); ++w) {
       if (!walls[w].present) continue;
-      find_touches(walls[w], static_cast<int>(w), particles.position(i), particles.record[i].radius, touches);
+      const double reach = particles.record[i].radius + contacts.wall_contacts.adhesion_range();
+      find_touches(walls[w], static_cast<int>(w), particles.position(i), reach, touches);
     }
     if (touches.overflowed()) return i;
   }
@@ -156,7 +158,7 @@ Alarm contact_alarm(const GuardView& view, const ContactView& contacts) {
   const Touching worst = deepest(view, contacts);
   if (worst.share > contacts.max_overlap) return too_deep(view, worst, contacts.max_overlap);
   if (const auto found = RangeSearch(view, contacts).find()) return out_of_range(view, *found);
-  if (const auto i = with_too_many_touches(view.particles, contacts.walls)) {
+  if (const auto i = with_too_many_touches(view.particles, contacts)) {
     return alarm_at(view, *i, view.particles.record[*i].position,
                     fmt::format("particle {} at {} touches walls in more than {} places; simplify the walls there",
                                 view.particles.id[*i], place_text(view.particles.position(*i)), TouchBuffer::capacity));

@@ -48,8 +48,8 @@ Phase::Phase(const PhaseDeck& deck, Simulation& simulation, std::int64_t first_s
 
 std::optional<std::string> Phase::ended_by(const Simulation& simulation, std::int64_t check_every, bool seen) const {
   const std::int64_t done = steps_done(simulation);
-  const bool is_asked = done >= least_ && simulation.steps() % check_every == 0 && !simulation.awaits_particles();
-  if (deck_.until == PhaseUntil::kinetic_energy && is_asked) {
+  const bool is_asked = done >= least_ && simulation.steps() % check_every == 0;
+  if (deck_.until == PhaseUntil::kinetic_energy && is_asked && !simulation.awaits_particles()) {
     const double mean = mean_kinetic_energy(simulation.comm(), simulation.materials(), simulation.particles());
     if (mean < deck_.kinetic_energy) return "kinetic_energy";
   }

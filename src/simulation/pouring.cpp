@@ -17,9 +17,8 @@ constexpr std::uint32_t tries = 64;          // places a particle tries in one b
 constexpr std::int64_t most_at_once = 4096;  // particles in one reduction
 constexpr double patience = 50.0;            // batches a particle may wait for
 
-/// The box that the spheres of a pour enter in.
-Box entrance(const Pour& pour) {
-  const double r = *std::max_element(pour.radius.begin(), pour.radius.end());
+/// The box that spheres of at most `r` m enter in.
+Box entrance(const Pour& pour, double r) {
   const auto& [min, max] = pour.bounds;
   return {min - Vec3{r, r, r}, max + Vec3{r, r, r}};
 }
@@ -96,8 +95,8 @@ struct Pouring::Batch {
     entering.spin.push_back({});
     entering.radius.push_back(radius);
     entering.material.push_back(flow.pour.material);
-    const double farthest = radius + *std::max_element(flow.pour.radius.begin(), flow.pour.radius.end());
-    particles.periodic.for_each_shift(at, farthest, [&](const Vec3& shift) { fresh.add(at + shift, radius); });
+    particles.periodic.for_each_shift(at, radius + flow.largest,
+                                      [&](const Vec3& shift) { fresh.add(at + shift, radius); });
   }
 };
 
@@ -105,7 +104,8 @@ Pouring::Pouring(std::vector<Pour> pours, double timestep) : timestep_(timestep)
   for (Pour& pour : pours) {
     const auto start = static_cast<std::int64_t>(std::ceil(pour.deck.start_time / timestep));
     const auto every = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::rint(pour.interval / timestep)));
-    flows_.push_back({std::move(pour), start, every, start + every});
+    const double largest = *std::max_element(pour.radius.begin(), pour.radius.end());
+    flows_.push_back({std::move(pour), largest, start, every, start + every});
     next_step_ = std::min(next_step_, flows_.back().next);
   }
 }
@@ -140,7 +140,7 @@ void Pouring::enter(Flow& flow, Batch& batch) const {
   const auto& due_time = flow.pour.due_time;
   const std::int64_t due = std::upper_bound(due_time.begin(), due_time.end(), time) - due_time.begin();
   if (flow.entered == due) return;
-  const SphereGrid others = spheres_in(entrance(flow.pour), batch.particles);
+  const SphereGrid others = spheres_in(entrance(flow.pour, flow.largest), batch.particles);
   while (flow.entered < due) {
     const std::int64_t first = flow.entered;
     const std::vector<std::uint64_t> taken = batch.taken(flow, first, std::min(due - first, most_at_once), others);

@@ -52,6 +52,7 @@ class Pouring {
  private:
   struct Flow {
     Pour pour;
+    double largest;      ///< m, radius of the pour
     std::int64_t start;  ///< step
     std::int64_t every;  ///< steps between batches
     std::int64_t next;   ///< step of the next batch

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "integration/velocity_verlet.h"
@@ -86,6 +87,14 @@ double greatest_growth(const Deck& deck, double timestep) {
                     phase.name, growth, most));
   }
   return growth;
+}
+
+std::string further_reach(double growth, double heat_share, double adhesion_range) {
+  std::vector<std::string> causes;
+  if (growth > 1.0) causes.emplace_back("phase.growth");
+  if (heat_share > 0.0) causes.emplace_back("heat.max_gap");
+  if (adhesion_range > 0.0) causes.emplace_back("adhesion");
+  return fmt::format("{}", fmt::join(causes, ", "));
 }
 
 }  // namespace repose

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "deck/deck.h"
@@ -30,5 +31,8 @@ double planned_mass(const Insertion& insertion, const MaterialTable& materials);
 
 /// The most by which the diameter of a particle can have grown in all phases. DeckError when that is beyond tenfold.
 double greatest_growth(const Deck& deck, double timestep);
+
+/// What lets particles reach further than their radius at the start, in words; empty: nothing.
+std::string further_reach(double growth, double heat_share, double adhesion_range);
 
 }  // namespace repose

@@ -5,9 +5,11 @@
 
 #include <fmt/core.h>
 
+#include "base/error.h"
 #include "contact/adhesion_range.h"
 #include "integration/velocity_verlet.h"
 #include "measurement/wall_resistance.h"
+#include "scene/walls/periodic_walls.h"
 #include "simulation/contact_alarm.h"
 #include "simulation/guards.h"
 #include "simulation/setup.h"
@@ -50,7 +52,9 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   safe_step_ = longest_way / std::sqrt(3.0) * smallest;
   if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion, mass_growth);
   const double heat_share = heat_ ? heat_->state().conductance().reach_share() : 0.0;
-  const double longest = longest_skin(particles_.periodic, largest * (1.0 + heat_share) + adhesion_range);
+  const double longest = longest_skin(particles_.periodic, largest * (1.0 + heat_share) + adhesion_range,
+                                      further_reach(growth, heat_share, adhesion_range));
+  if (growth > 1.0) check_walls_meet(deck_.domain, walls(), largest);
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
   watch_ =
       SkinWatch({deck_.neighbours.inner_skin, horizon(ListHorizon::inner), 0.5 * longest, adhesion_range},
@@ -117,10 +121,11 @@ void Simulation::warm() {
 std::int64_t Simulation::stand_still(std::int64_t most) {
   const std::int64_t to_heat = heat_->every() - steps_ % heat_->every();
   const std::int64_t steps = std::min(most, to_heat);
-  const std::int64_t pours = pouring_.next_step();
-  if (pours > steps_ && pours <= steps_ + steps && !alarm_ && particles_.owned > 0) {
-    alarm_ = alarm_at(guard_view(pours), 0, particles_.position(0),
-                      "particles are to be poured in a phase without mechanics, where none can enter");
+  if (const std::int64_t pours = pouring_.next_step(); pours <= steps_ + steps) {
+    throw PhysicsError(fmt::format(
+        "step {}: particles are to be poured in a phase without mechanics, where none can enter; let the pour end "
+        "before it, or begin after it",
+        pours));
   }
   steps_ += steps;
   return steps;

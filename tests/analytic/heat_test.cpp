@@ -219,6 +219,32 @@ TEST(Heat, AWallGivesItsPowerAndOneWithACoefficientItsHeatFromOutside) {
   }
 }
 
+// The wall conducts by its own temperature, 50 K above that of the grain: k(350 K) = 3 W/(m K), k(300 K) = 2.
+TEST(Heat, AWallWithoutHeatCapacityConductsAtItsOwnTemperature) {
+  constexpr double overlap = 2e-6;
+  for (const bool by_power : {true, false}) {
+    Deck deck = still_deck(2.0, 800.0, 1e-6);
+    for (MaterialDeck& m : deck.materials) {
+      m.heat_table.enabled = true;
+      m.heat_table.temperatures = {300.0, 400.0};
+      m.heat_table.conductivities = {2.0, 4.0};
+      m.heat_table.specific_heats = {800.0, 800.0};
+    }
+    deck.walls.push_back(floor_at(overlap));
+    const double conductance = 4.0 * std::sqrt(radius * overlap) / (1.0 / 2.0 + 1.0 / 3.0);
+    WallHeatDeck& heat = deck.walls[0].heat;
+    heat.enabled = true;
+    heat.type = by_power ? WallHeatType::power : WallHeatType::ambient;
+    heat.power = 50.0 * conductance;
+    heat.temperature = 400.0;
+    heat.coefficient = conductance;
+    WarmScene scene(deck, row(1, 0.0), std::vector<double>{300.0},
+                    [](std::vector<ParticlesDeck>& blocks) { blocks[0].isothermal = true; });
+    scene.rest(100);  // each step brings it nearer, by a factor of 7 or so
+    EXPECT_NEAR(scene.simulation().heat()->wall_temperatures()[0], 350.0, 1e-9);
+  }
+}
+
 TEST(Heat, SourcesAndIsothermalBlocks) {
   Deck deck = still_deck(2.0, 800.0, 1e-6);
   deck.heat.every = 1000;

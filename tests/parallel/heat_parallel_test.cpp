@@ -51,6 +51,9 @@ TEST_P(HeatOnRanks, HasTheBitsOfOne) {
   Deck deck = closed_box(GetParam());
   deck.walls[0].heat.enabled = true;
   deck.walls[0].heat.temperature = 900.0;
+  deck.walls[1].heat.enabled = true;
+  deck.walls[1].heat.type = WallHeatType::power;
+  deck.walls[1].heat.power = 1e-4;
   const Outcome together = run(world, deck);
   EXPECT_GT(together.figures.highest, together.figures.lowest + 1.0);
   EXPECT_GT(together.figures.walls[0], 0.0);

@@ -80,8 +80,14 @@ TEST_F(NodeMemoryOf, ASettingThatIsNoNumberOfRanksIsRefused) {
   if (world.size() == 1) GTEST_SKIP() << "one rank asks for no memory";
   for (const std::string setting : {"", "two", "2 ranks", "0", "-1", "99999999999"}) {
     const NodeRanks node(setting);
-    EXPECT_THROW(NodeMemory{world}, DeckError) << setting;
+    EXPECT_THROW(NodeMemory{world}, Error) << setting;
   }
+}
+
+TEST_F(NodeMemoryOf, ASettingThatOneRankRefusesIsRefusedByAll) {
+  if (world.size() == 1) GTEST_SKIP() << "one rank asks for no memory";
+  const NodeRanks node(world.is_root() ? "two" : "2");
+  EXPECT_THROW(NodeMemory{world}, Error);
 }
 
 TEST_F(NodeMemoryOf, ARunLeavesNothingBehind) {

@@ -268,6 +268,52 @@ TEST(Periodic, TooShortADomainIsRefused) {
   EXPECT_EQ(narrow.inside, 20);
 }
 
+/// 20 grains of the chute, which may grow by a factor of 1.22.
+Deck growing_chute() {
+  Deck deck = chute();
+  deck.particles[0].count = 20;
+  PhaseDeck phase;
+  phase.name = "grow";
+  phase.until = PhaseUntil::steps;
+  phase.steps = 10;
+  phase.growth = {.enabled = true, .factor = 1.02, .every = 1};
+  deck.phases = {phase};
+  return deck;
+}
+
+std::string refusal(const Deck& deck) {
+  const Communicator world(MPI_COMM_WORLD);
+  try {
+    const Simulation simulation(world, deck, {}, best_vector_level());
+  } catch (const DeckError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Periodic, WhatGrowsNeedsRoomToGrow) {
+  Deck deck = growing_chute();
+  EXPECT_EQ(refusal(deck), "");
+  deck.domain.max.y = deck.domain.min.y + 5.1 * radius;
+  deck.particles[0].max.y = deck.domain.max.y;
+  EXPECT_NE(refusal(deck).find("less than 5 times the largest reach 0.0006095 m of a particle (with phase.growth)"),
+            std::string::npos)
+      << refusal(deck);
+  deck = growing_chute();
+  WallDeck post = floor_at(0.0);  // further from one boundary than the radius is, but not than it comes to be
+  post.name = "post";
+  post.type = WallType::rectangle;
+  post.corner = {1.1 * radius, -0.003, 0.0};
+  post.edge_u = {0.0, 0.006, 0.0};
+  post.edge_v = {0.0, 0.0, 0.1};
+  deck.walls.push_back(post);
+  EXPECT_NE(refusal(deck).find("wall \"post\" is within a particle's radius of the periodic boundary across x"),
+            std::string::npos)
+      << refusal(deck);
+  deck.phases[0].growth.enabled = false;
+  EXPECT_EQ(refusal(deck), "");
+}
+
 TEST(Periodic, GrainsThatOverlapAcrossTheBoundaryAreRefused) {
   std::vector<Grain> grains = {{{0, 0, 0}, {}, {}, radius},
                                {{half_side - 1e-5, 0, 0}, {}, {}, radius},

@@ -221,6 +221,31 @@ TEST_F(PourTest, APhaseDoesNotTakeAnEmptySceneForRest) {
   EXPECT_EQ(phase.ended_by(s, 1), "kinetic_energy");
 }
 
+TEST_F(PourTest, IsRefusedInAPhaseWithoutMechanics) {
+  for (const bool any_before : {false, true}) {
+    Deck deck = pouring_deck();
+    deck.heat.enabled = true;
+    for (MaterialDeck& m : deck.materials) m.conductivity = m.specific_heat = 1.0;
+    PhaseDeck rest;
+    rest.name = "rest";
+    rest.mechanics = false;
+    deck.phases = {rest};
+    Simulation s = make(deck);
+    if (any_before) s.advance(1200);  // two have come
+    s.begin_phase("rest");
+    std::string message;
+    try {
+      s.advance(1500);
+      s.check_guards();
+    } catch (const PhysicsError& error) {
+      message = error.what();
+    }
+    EXPECT_TRUE(message.starts_with(any_before ? "step 1400: particles are to be poured in a phase without mechanics"
+                                               : "step 1200: particles are to be poured in a phase without mechanics"))
+        << message;
+  }
+}
+
 TEST_F(PourTest, WaitsForRoomAndEndsWhenThereIsNone) {
   Deck deck = pouring_deck();
   deck.particles[0].radius = 1.5e-3;  // room for one at a time

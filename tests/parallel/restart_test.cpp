@@ -294,10 +294,18 @@ TEST_F(Restart, OnlyOutputAndLimitsOfTheDeckMayDiffer) {
             std::string::npos)
       << other;
   EXPECT_EQ(other.find("series_interval"), std::string::npos) << other;
+}
+
+TEST_F(Restart, APhaseMayLastLongerOrLessUnlessParticlesGrow) {
+  const std::string brief = "phase.1.steps=300";
+  EXPECT_FALSE(run(world_, "parts", 10, false, {brief}));  // by step 1000, in the phase before they grow
+  const std::string growing = error_of([&] { run(world_, "parts", 0, true, {brief, "phase.1.max_time=1e-3"}); });
+  EXPECT_NE(growing.find("belongs to another deck: phase[1].max_time: nothing there, 0.001 here;"), std::string::npos)
+      << growing;
   const std::optional<Summary> limited =
-      run(world_, "parts", 0, true, {"output.snapshot_interval=0", "phase.1.max_time=5e-3"});
+      run(world_, "parts", 0, true, {brief, "output.snapshot_interval=0", "phase.0.max_time=0.012"});
   ASSERT_TRUE(limited);
-  EXPECT_EQ(limited->steps, 2000);
+  EXPECT_EQ(limited->steps, 1500);
 }
 
 TEST_F(Restart, AnUnfinishedRunIsNotOverwritten) {

@@ -65,6 +65,32 @@ TEST(ContactDeck, RefusesWhatContradictsItself) {
   EXPECT_NE(problem({"contact.cohesion_in_friction=true"}).find("needs contact.cohesion"), std::string::npos);
   EXPECT_EQ(problem({"contact.attraction=false", "contact.restitution_correction=false", "pair.0.restitution=0.01"}),
             "");
+  EXPECT_PRED2(
+      ends_with, problem({"contact.rolling_model=cdt", "contact.rolling_history=rotated"}),
+      "\"rolling_history\" = \"rotated\": contact.rolling_model = \"cdt\" has no history; remove one of the two");
+  EXPECT_EQ(problem({"contact.rolling_model=epsd", "contact.rolling_history=rotated"}), "");
+}
+
+TEST(ContactDeck, ATangentialDampingRateStandsAlone) {
+  const auto problem_with = [](const std::string& damping) {
+    std::string text = example_deck;
+    const std::string restitution = "restitution = 0.9";
+    text.replace(text.find(restitution), restitution.size(),
+                 "hooke_damping_rate = 800\nhooke_tangential_damping_rate = 300");
+    try {
+      read_deck(text, "deck.toml",
+                {"contact.normal_law=hooke", "contact.hooke_characteristic_velocity=2 m/s",
+                 "contact.tangential_damping=" + damping});
+    } catch (const DeckError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(problem_with("stiffness"), "");
+  EXPECT_EQ(problem_with("none"), "");
+  EXPECT_PRED2(ends_with, problem_with("normal"),
+               "\"hooke_tangential_damping_rate\" and contact.tangential_damping = \"normal\" both say how the pair is "
+               "damped; remove the latter");
 }
 
 TEST(ContactDeck, DefaultsAreTheThesis) {

@@ -9,6 +9,8 @@
 #include "fields/state.h"
 #include "files/shared_file.h"
 #include "output/checkpoint.h"
+#include "output/collect_particles.h"
+#include "output/snapshot.h"
 #include "output/state_json.h"
 #include "scene/particles/sphere_mass.h"
 #include "support/scenes.h"
@@ -63,6 +65,23 @@ State state_of(Simulation& simulation) {
   const std::string bytes = read_whole_file(path);
   std::remove(path.c_str());
   return read_state(bytes, path, {}, [](const std::string&) { return std::string(); });
+}
+
+/// What a snapshot of the simulation tells. `read_file` reads the files of its deck.
+State snapshot_of(const Simulation& simulation, const ReadFile& read_file) {
+  const Communicator& comm = simulation.comm();
+  SnapshotHeader header;
+  header.step = simulation.steps();
+  header.time_s = simulation.time();
+  header.deck = resolved_deck(simulation.deck());
+  header.inserted = header.inside = simulation.inserted();
+  for (const MaterialDeck& m : simulation.deck().materials) header.materials.push_back(m.name);
+  const std::string path = testing::TempDir() + "fields_contacts_snapshot.hdf";
+  write_snapshot(comm, path,
+                 collect_particles(comm, simulation.materials(), simulation.particles(), simulation.planned()), header);
+  const std::string bytes = read_whole_file(path);
+  std::remove(path.c_str());
+  return read_state(bytes, path, {}, read_file);
 }
 
 /// The force of all contacts on each grain, by its place in the domain.
@@ -145,6 +164,46 @@ TEST(FieldsContacts, OfASettledBedCarryTheWeightOfEachGrain) {
     EXPECT_EQ(c.other.z, 0.0);
   }
   EXPECT_NEAR(floor.z, weight_of_all, 1e-5 * weight_of_all);
+}
+
+// Two held grains that stick in one another and in the floor, and a grain that has fallen on one of them.
+TEST(FieldsContacts, OfHeldGrainsAreThoseWithOthersAloneInASnapshotToo) {
+  const std::string columns = "x,y,z,vx,vy,vz,wx,wy,wz,radius,material\n";
+  const ReadFile read_file = [&](const std::string& file) {
+    if (file == "free.csv") return columns + "4e-4,4e-4,4.9e-4,0,0,-0.1,0,0,0,2e-4,grain\n";
+    return columns + "4e-4,4e-4,1e-4,0,0,0,0,0,0,2e-4,grain\n7.6e-4,4e-4,1e-4,0,0,0,0,0,0,2e-4,grain\n";
+  };
+  Deck deck = bed_deck(0.3);
+  for (const char* file : {"free.csv", "held.csv"}) {
+    ParticlesDeck block;
+    block.type = ParticlesType::csv;
+    block.file = file;
+    deck.particles.push_back(block);
+  }
+  deck.particles[1].fixed = true;
+  const Communicator world(MPI_COMM_WORLD);
+  Simulation simulation(world, deck, read_file, best_vector_level());
+  const ContactForces of_checkpoint = find_contacts(state_of(simulation), "a.hdf");
+  const ContactForces of_snapshot = find_contacts(snapshot_of(simulation, read_file), "b.hdf");
+  EXPECT_EQ(of_snapshot.walls.size(), 0U);
+  ASSERT_EQ(of_snapshot.pairs.size(), 1U);
+  ASSERT_EQ(of_checkpoint.pairs.size(), 1U);
+  const Vec3& force = of_checkpoint.pairs[0].force;  // its dashpot knows that the other does not give way
+  EXPECT_LT(norm(of_snapshot.pairs[0].force - force), 1e-10 * norm(force));
+}
+
+TEST(FieldsContacts, OfASnapshotLeaveOutWallsThatComeAndGoWithOthers) {
+  Deck deck = bed_deck(0.3);
+  for (const char* name : {"lid", "roof"}) {
+    deck.walls.push_back(test::floor_at(5e-3));
+    deck.walls.back().name = name;
+    deck.walls.back().normal = {0.0, 0.0, -1.0};
+  }
+  deck.walls[1].moves_with = "floor";
+  deck.phases[0].remove_walls = {"floor"};
+  test::Scene scene(deck, layers(1));
+  const State state = snapshot_of(scene.simulation(), {});
+  EXPECT_EQ(state.unknown_walls, (std::vector<std::string>{"floor", "lid"}));
 }
 
 TEST(FieldsContacts, WithoutHistoryAreNormal) {

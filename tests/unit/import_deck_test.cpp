@@ -10,6 +10,7 @@
 #include "deck_error.h"
 #include "import/import_script.h"
 #include "import_samples.h"
+#include "scene/walls/motion.h"
 
 namespace repose {
 namespace {
@@ -106,10 +107,13 @@ TEST(ImportDeck, LetsTheDomainGrowWhereTheBoxDoes) {
 }
 
 TEST(ImportDeck, TranslatesContactModels) {
-  const auto contact = [](const std::string& model, const std::string& more = "") {
-    std::string script = with("pair_style gran model hertz tangential history", "pair_style gran " + model);
+  const auto contact = [](const std::string& model, const std::string& more = "", const std::string& settings = "") {
+    std::string script = with("pair_style gran model hertz tangential history", "pair_style gran " + model + settings);
     script.replace(script.find("model hertz tangential history primitive"), 30, model);
-    return import_text(script.insert(script.find("pair_style"), more)).deck;
+    script.replace(script.find("zplane 0"), 8, "zplane 0" + settings);  // LIGGGHTS has them behind the geometry
+    const auto [deck, imported] = import_text(script.insert(script.find("pair_style"), more));
+    EXPECT_TRUE(imported.missing.empty());
+    return deck;
   };
   const std::string rolling = "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.2\n";
   const std::string viscous = "fix v all property/global coefficientRollingViscousDamping peratomtypepair 1 0.1\n";
@@ -117,8 +121,8 @@ TEST(ImportDeck, TranslatesContactModels) {
   EXPECT_EQ(deck.contact.tangential_spring, TangentialSpring::none);
   EXPECT_EQ(deck.contact.rolling_model, RollingModel::cdt);
   EXPECT_EQ(deck.pairs[0].rolling_friction, 0.2);
-  deck = contact("model hertz tangential history rolling_friction epsd limitForce on tangential_damping off",
-                 rolling + viscous);
+  deck = contact("model hertz tangential history rolling_friction epsd", rolling + viscous,
+                 " limitForce on tangential_damping off");
   EXPECT_EQ(deck.contact.rolling_model, RollingModel::epsd);
   EXPECT_EQ(deck.pairs[0].rolling_viscous_damping, 0.1);
   EXPECT_FALSE(deck.contact.attraction);
@@ -203,6 +207,84 @@ TEST(ImportDeck, MovesMeshesInTheirRuns) {
   ASSERT_EQ(deck.phases.size(), 5U);
   EXPECT_EQ(deck.phases[1].add_walls, std::vector<std::string>{"cad"});
   EXPECT_EQ(deck.phases[4].remove_walls, std::vector<std::string>{"cad"});
+}
+
+/// A mesh that is a wall, in a script before its run.
+std::string with_mesh(const std::string& moves, const std::string& later = "") {
+  return before_run(
+             "fix cad all mesh/surface file face.stl type 1\n"
+             "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad\n" +
+             moves) +
+         later;
+}
+
+TEST(ImportDeck, PutsMotionsThatBeginTogetherWithinTheFirst) {
+  const auto [deck, imported] =
+      import_text(with_mesh("fix m1 all move/mesh mesh cad linear 0.1 0 0\n"
+                            "fix m2 all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 1\n"));
+  EXPECT_TRUE(imported.missing.empty());
+  // After a quarter of a turn the centre is where the translation has taken it, doc/fix_move_mesh.txt.
+  constexpr double dt = 1e-3;
+  Motions motions(wall(deck, "cad").motions);
+  motions.begin_phase("run_1");
+  for (int step = 0; step < 250; ++step) motions.step();
+  EXPECT_LT(norm(motions.placement(dt).place({}) - Vec3{0.025, 0.0, 0.0}), 1e-12);
+  EXPECT_LT(norm(motions.placement(dt).place({1.0, 0.0, 0.0}) - Vec3{0.025, 1.0, 0.0}), 1e-12);
+}
+
+TEST(ImportDeck, ListsMotionsThatNoDeckPutsTogetherSo) {
+  const auto missing = [](const std::string& moves, const std::string& later = "") {
+    return import_text(with_mesh(moves, later)).imported.missing;
+  };
+  const std::string turn = "fix m1 all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 1\n";
+  const std::string move = "fix m2 all move/mesh mesh cad ";
+  ASSERT_EQ(missing(turn + move + "linear 0.1 0 0\n").size(), 1U);
+  EXPECT_EQ(text(missing(turn + move + "linear 0.1 0 0\n")[0]),
+            "in.x:23: fix m2 move/mesh: LIGGGHTS puts it and fix m1 together as a deck cannot say");
+  EXPECT_EQ(missing(turn + move + "wiggle amplitude 0 0.01 0 period 1\n").size(), 1U);
+  EXPECT_EQ(missing(turn + move + "rotate origin 0 0 0 axis 1 0 0 period 1\n").size(), 1U);
+  EXPECT_EQ(missing(turn, move + "rotate origin 0.1 0 0 axis 0 0 1 period 1\nrun 10\n").size(), 1U);
+  for (const std::string alike :
+       {"linear 0 0 0.1\n", "wiggle amplitude 0 0 0.01 period 1\n", "rotate origin 0.1 0 0 axis 0 0 1 period 1\n"}) {
+    EXPECT_TRUE(missing(turn + move + alike).empty()) << alike;
+  }
+  EXPECT_TRUE(missing(turn, move + "linear 0 0 0.1\nrun 10\n").empty());
+  EXPECT_TRUE(missing(turn, "unfix m1\n" + move + "linear 0.1 0 0\nrun 10\n").empty());
+}
+
+TEST(ImportDeck, ExpectsTheSpeedOfWallsThatTurn) {
+  // 62.8 rad/s, 0.1 sqrt 2 m from the axis at the farthest corner of the box, rounded up to two digits.
+  const Deck deck =
+      import_text(with_mesh("fix m all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 0.1\n")).deck;
+  EXPECT_NEAR(deck.time.expected_speed, 8.9, 1e-9);
+}
+
+TEST(ImportDeck, PlacesCylindersAsLiggghtsDoes) {
+  const auto axis = [](const std::string& shape) {
+    return wall(import_text(with("zplane 0", shape)).deck, "floor").axis_origin;
+  };
+  EXPECT_EQ(axis("xcylinder 0.05 0.01 0.02"), (Vec3{0.0, 0.01, 0.02}));
+  EXPECT_EQ(axis("ycylinder 0.05 0.1 0.02"), (Vec3{0.02, 0.0, 0.1}));  // Cylinder<1>: z, then x
+  EXPECT_EQ(axis("zcylinder 0.05 0.01 0.02"), (Vec3{0.01, 0.02, 0.0}));
+}
+
+TEST(ImportDeck, ShearsPrimitives) {
+  const auto shear = [](const std::string& shape) {
+    return wall(import_text(with("zplane 0", shape)).deck, "floor").motions.at(0);
+  };
+  EXPECT_EQ(shear("zplane 0 shear x 2").velocity, (Vec3{2.0, 0.0, 0.0}));
+  EXPECT_EQ(shear("zcylinder 0.05 0 0 shear z 2").type, MotionType::conveyor);
+  const MotionDeck spin = shear("zcylinder 0.05 0.01 0.02 shear x 2");
+  EXPECT_EQ(spin.type, MotionType::rotation);
+  EXPECT_EQ(spin.axis_origin, (Vec3{0.01, 0.02, 0.0}));
+  EXPECT_EQ(spin.axis_direction, (Vec3{0.0, 0.0, 1.0}));
+  EXPECT_EQ(spin.angular_velocity, 2.0);
+  EXPECT_EQ(error_of(with("zplane 0", "ycylinder 0.05 0 0 shear x 2")),
+            "in.x:13: a ycylinder does not spin in LIGGGHTS 3.8: its shear mixes x and z");
+  EXPECT_EQ(error_of(before_run("fix cad all mesh/surface file face.stl type 1\n"
+                                "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad shear x "
+                                "1\n")),
+            "in.x:21: shear is that of a primitive; a mesh has surface_vel");
 }
 
 TEST(ImportDeck, JoinsRunsBetweenWhichNothingChanges) {
@@ -307,6 +389,37 @@ TEST(ImportDeck, ListsWhatHasNoCounterpart) {
   EXPECT_EQ(missing[0].place.line, 20U);
   EXPECT_EQ(missing[0].reason, "there is no drag");
   EXPECT_EQ(missing[1].reason, "only diameters that grow by a factor have a counterpart");
+}
+
+TEST(ImportDeck, ComparesTheGroupsOfFixesWithThoseOfInsertedGrains) {
+  const auto missing = [](const std::string& old, const std::string& fresh) {
+    std::string script = with(old, fresh);
+    return import_text(script.insert(script.find("fix ins"), "group some region fill\n")).imported.missing;
+  };
+  const auto one = [&](const std::string& old, const std::string& fresh) {
+    const auto notes = missing(old, fresh);
+    return notes.size() == 1 ? text(notes[0]) : std::to_string(notes.size()) + " notes";
+  };
+  EXPECT_EQ(one("fix g all gravity", "group some empty\nfix g some gravity"),
+            "in.x:13: fix g some gravity 9.81 vector 0 0 -1: it acts on group some there, here on all grains");
+  EXPECT_EQ(one("fix move all", "fix move some"),
+            "in.x:18: fix ins: no fix nve/sphere has its grains in its group; here they move");
+  EXPECT_TRUE(missing("fix ins all", "fix ins some").empty());
+  std::string same = with("fix ins all", "group some region fill\nfix ins some");
+  EXPECT_TRUE(import_text(same.replace(same.find("fix move all"), 12, "fix move some")).imported.missing.empty());
+  EXPECT_EQ(error_of(with("fix g all", "fix g none")), "in.x:12: no group \"none\" is defined above; there are: all");
+}
+
+TEST(ImportDeck, DoesNotPassOverCommandsThatChangeTheSimulation) {
+  const auto missing = import_text(before_run("neigh_modify delay 0 exclude type 1 1\n")).imported.missing;
+  ASSERT_EQ(missing.size(), 1U);
+  EXPECT_EQ(missing[0].reason, "all grains touch one another");
+  EXPECT_TRUE(import_text(before_run("neigh_modify delay 0 exclude none\ndimension 3\n")).imported.missing.empty());
+  EXPECT_EQ(error_of(before_run("dimension 2\n")), "in.x:20: grains are spheres in three dimensions");
+  EXPECT_EQ(error_of(test::falling + "clear\n"),
+            "in.x:21: a deck is one simulation; make a script of its own of what comes after clear");
+  const Deck deck = import_text(before_run("clear\n" + test::falling)).deck;  // its last run is that of `falling`
+  EXPECT_EQ(deck.walls.size(), 1U);
 }
 
 TEST(ImportDeck, GrainsThatGrow) {

@@ -69,8 +69,11 @@ TEST(ImportGrains, SaysWhereAFileIsWrong) {
             "f:3: a dump without radius or diameter");
 }
 
-/// A script with the grains of `data`, changed by some lines.
-ImportedDeck import_data(const std::string& lines, const std::string& dump_file = "") {
+const std::string all_move = "fix i all nve/sphere\n";
+
+/// A script with the grains of `data`, changed by some lines, and moved by some.
+ImportedDeck import_data(const std::string& lines, const std::string& dump_file = "",
+                         const std::string& integrator = all_move) {
   const std::string script =
       "units si\nboundary f f f\nread_data data\n"
       "fix m1 all property/global youngsModulus peratomtype 5e6 5e6\nfix m2 all property/global poissonsRatio "
@@ -79,7 +82,7 @@ ImportedDeck import_data(const std::string& lines, const std::string& dump_file 
       "fix m4 all property/global coefficientFriction peratomtypepair 2 0.1 0.2 0.2 0.4\n"
       "pair_style gran model hertz tangential history\ntimestep 1e-5\n"
       "region left block INF 1 INF INF INF INF units box\n" +
-      lines + "fix i all nve/sphere\nrun 10\n";
+      lines + integrator + "run 10\n";
   const std::map<std::string, std::string> files = {{"in.x", script}, {"data", data}, {"dump", dump}};
   return import_script("in.x", test::reader_of(files), {}, dump_file);
 }
@@ -120,10 +123,75 @@ TEST(ImportGrains, AreSetDeletedAndFrozen) {
   EXPECT_TRUE(read_deck(imported.deck, "x.toml", {}).particles[1].fixed);
 }
 
+std::string notes_of(const ImportedDeck& imported) {
+  std::string notes;
+  for (const Note& note : imported.missing) notes += text(note) + "\n";
+  return notes;
+}
+
+TEST(ImportGrains, StandStillUnlessTheirGroupMoves) {
+  const std::string mobile = "group mobile type 1\n";
+  const ImportedDeck still =
+      import_data("set type 2 vx 0 vy 0 vz 0 omegax 0 omegay 0 omegaz 0\n" + mobile, "", "fix i mobile nve/sphere\n");
+  EXPECT_EQ(notes_of(still), "");
+  EXPECT_EQ(grains_of(still, "grains.csv").material, (std::vector<int>{0, 0}));
+  EXPECT_EQ(grains_of(still, "grains_fixed.csv").material, (std::vector<int>{1}));
+  EXPECT_EQ(notes_of(import_data(mobile, "", "fix i mobile nve/sphere\n")),
+            "in.x:12: fix i mobile nve/sphere: grains that stand still here have a velocity there\n");
+  const ImportedDeck both =
+      import_data(mobile + "group base subtract all mobile\nfix b base nve/sphere\n", "", "fix i mobile nve/sphere\n");
+  EXPECT_EQ(notes_of(both), "");
+  EXPECT_EQ(notes_of(import_data(mobile, "", "fix i mobile nve/sphere\nunfix i\n" + all_move)), "");
+  EXPECT_EQ(grains_of(both, "grains.csv").size(), 3U);
+  // What moves from the second run on is fixed in all.
+  EXPECT_EQ(notes_of(import_data("set type 2 vx 0 vy 0 vz 0 omegax 0 omegay 0 omegaz 0\n" + mobile, "",
+                                 "fix i mobile nve/sphere\nrun 10\nfix i all nve/sphere\n")),
+            "in.x:15: fix i all nve/sphere: grains that stand still in the first run do so in all\n");
+}
+
+TEST(ImportGrains, KeepTheirGroupsWhenTheirTypeChanges) {
+  const ImportedDeck imported = import_data("group a type 1\nset group a type 2\nfix f a freeze\n");
+  EXPECT_EQ(notes_of(imported), "");
+  EXPECT_EQ(grains_of(imported, "grains_fixed.csv").size(), 2U);
+  EXPECT_EQ(grains_of(imported, "grains.csv").size(), 1U);
+}
+
+TEST(ImportGrains, AreInGroupsOfGroups) {
+  const auto frozen = [](const std::string& group) {
+    const std::string rest = "set group all vx 0 vy 0 vz 0 omegax 0 omegay 0 omegaz 0\n";
+    const std::string groups = "group one type 1\ngroup low id 1:2\ngroup old id 7\ngroup new id 1\n";
+    return grains_of(import_data(rest + groups + group + "fix f g freeze\n"), "grains_fixed.csv").position;
+  };
+  const Vec3 first{0.5, 0.5, 0.5}, second{1.5, 0.5, 0.5}, seventh{0.5, 1.5, 0.5};
+  EXPECT_EQ(frozen("group g union new old\n"), (std::vector<Vec3>{first, seventh}));
+  EXPECT_EQ(frozen("group g intersect one low\n"), (std::vector<Vec3>{first}));
+  EXPECT_EQ(frozen("group g subtract low one\n"), (std::vector<Vec3>{second}));
+  EXPECT_EQ(frozen("group g id 1 2 7\ngroup g subtract g low\n"), (std::vector<Vec3>{seventh}));
+  EXPECT_EQ(frozen("group g id 1:7\ngroup g clear\ngroup g type 2:3\n"), (std::vector<Vec3>{second}));
+  EXPECT_THROW(frozen("group g variable v\n"), DeckError);
+}
+
+TEST(ImportGrains, AreComparedWithTheGroupsOfFixes) {
+  EXPECT_EQ(notes_of(import_data("group one type 1\nfix g one gravity 9.81 vector 0 0 -1\n"
+                                 "fix w one wall/gran model hertz tangential history primitive type 1 zplane 0\n")),
+            "in.x:12: fix g one gravity 9.81 vector 0 0 -1: it acts on group one there, here on all grains\n"
+            "in.x:13: fix w one wall/gran model hertz tangential history primitive type 1 zplane 0: it acts on group "
+            "one there, here on all grains\n");
+  // Those that stand still have no weight anywhere.
+  EXPECT_EQ(notes_of(import_data("set group all vx 0 vy 0 vz 0 omegax 0 omegay 0 omegaz 0\ngroup one type 1\n"
+                                 "fix g one gravity 9.81 vector 0 0 -1\n",
+                                 "", "fix i one nve/sphere\n")),
+            "");
+}
+
 TEST(ImportGrains, ComeFromADumpInstead) {
-  const NewParticles grains = grains_of(import_data("boundary m m m\n", "dump"), "grains.csv");
+  const ImportedDeck imported = import_data("boundary m m m\ngroup one type 1\nfix f one freeze\n", "dump");
+  const NewParticles grains = grains_of(imported, "grains.csv");
   ASSERT_EQ(grains.size(), 2U);
   EXPECT_EQ(grains.position[1], (Vec3{0.0, 1.0, 0.5}));
+  EXPECT_EQ(notes_of(imported),
+            "in.x:3: read_data data: the grains of dump are there instead\n"
+            "in.x:13: fix f one freeze: the grains of dump are there instead\n");
 }
 
 }  // namespace

@@ -101,8 +101,12 @@ TEST(Script, SaysWhereItCannotGoOn) {
 
 TEST(Formula, FollowsTheOrderOfOperations) {
   EXPECT_DOUBLE_EQ(value("1+2*3^2"), 19.0);
-  EXPECT_DOUBLE_EQ(value("-2^2"), -4.0);
+  EXPECT_DOUBLE_EQ(value("-2^2"), 4.0);  // doc/variable.txt of LIGGGHTS: a sign binds tighter than ^
+  EXPECT_DOUBLE_EQ(value("-(2^2)"), -4.0);
+  EXPECT_DOUBLE_EQ(value("2^3^2"), 64.0);
   EXPECT_DOUBLE_EQ(value("2^-1"), 0.5);
+  EXPECT_DOUBLE_EQ(value("2*-3^2"), 18.0);
+  EXPECT_DOUBLE_EQ(value("0 == 1 > 2"), 1.0);
   EXPECT_DOUBLE_EQ(value("(1 + v_two) % 2"), 1.0);
   EXPECT_DOUBLE_EQ(value("7/2/2"), 1.75);
   EXPECT_DOUBLE_EQ(value("1.5e-3*1E3"), 1.5);

@@ -150,6 +150,18 @@ TEST(ExpectedSpeed, AddsTheInitialMotionOfEachParticle) {
   EXPECT_NEAR(expected_speed(deck, particles, {}), 12.0, 1e-14);
 }
 
+TEST(ExpectedSpeed, InAnApparatusThatTiltsIsFreeFallAcrossTheDomain) {
+  Deck deck = two_materials();
+  deck.gravity = {0.0, 0.0, -10.0};
+  Pour pour;
+  pour.bounds = {{0.0, 0.0, -0.5}, {0.5, 0.5, 0.25}};
+  EXPECT_NEAR(expected_speed(deck, {}, {pour}), 5.0, 1e-14);
+  deck.tilt.enabled = true;
+  const double fastest = std::sqrt(2.0 * 10.0 * std::sqrt(12.0));  // from corner to corner
+  EXPECT_NEAR(expected_speed(deck, at({{0.0, 0.0, -0.5}}), {}), fastest, 1e-14);
+  EXPECT_NEAR(expected_speed(deck, {}, {pour}), fastest, 1e-14);
+}
+
 TEST(ExpectedSpeed, IsNeverNothingAndMayBeGiven) {
   Deck deck = two_materials();
   deck.gravity = {};

@@ -18,6 +18,15 @@ Image heap_picture(const Heap& heap, const Backdrop& backdrop = {}, double front
   return picture(backdrop, front, [&](double x, double y) { return heap.share(x, y); });
 }
 
+/// Below the heap a plate of 500 px, as bright as half the contrast.
+Image heap_on_plate() {
+  const Heap heap;
+  return picture({}, 0.8, [&](double x, double y) {
+    const bool is_plate = y > heap.foot.y && x >= 50.0 && x < 550.0;
+    return is_plate ? 0.5 : heap.share(x, y);
+  });
+}
+
 // The edge is one pixel wide and its rows are exact: what is left is noise over a hundred rows.
 constexpr double exact_deg = 0.05;
 
@@ -49,18 +58,12 @@ TEST(PhotoPile, DarkGrainsBeforeALightBackground) {
 }
 
 TEST(PhotoPile, APlateThatIsSeenGivesBaseLineAndScale) {
-  // A plate of 500 px = 50 mm below the heap, as bright as half the contrast.
-  const Heap heap;
-  const Image image = picture({}, 0.8, [&](double x, double y) {
-    const bool is_plate = y > heap.foot.y && x >= 50.0 && x < 550.0;
-    return is_plate ? 0.5 : heap.share(x, y);
-  });
   PhotoDeck deck = deck_with_scale(unset);
   deck.scale.plate_width = 50e-3;
-  const PileView view = measure(image, deck);
+  const PileView view = measure(heap_on_plate(), deck);
   EXPECT_TRUE(view.plate_is_seen);
   EXPECT_NEAR(view.pixels_per_metre, 1e4, 30.0);
-  EXPECT_NEAR(view.base_row, heap.foot.y, 1.0);
+  EXPECT_NEAR(view.base_row, Heap().foot.y, 1.0);
   EXPECT_NEAR(view.fit.mean_deg(), 30.0, exact_deg);
 }
 
@@ -89,6 +92,21 @@ TEST(PhotoPile, ACameraAboveThePlateSeesTheEdgeBehindTheAxisTooHigh) {
   const PileView view = measure(heap_picture({}), deck, parameters);
   EXPECT_NEAR(view.base_row, 330.0, 0.1);
   EXPECT_NEAR(view.base_width, 36e-3, 4e-4);
+}
+
+TEST(PhotoPile, APlatesWidthIsThatOfItsEdge) {
+  // A camera 1 m away at the plate's height sees an edge 50 mm in front of the axis larger by 1/0.95, one behind it
+  // smaller by 1/1.05.
+  AngleOfReposeParameters parameters;
+  parameters.camera_distance = 1.0;
+  PhotoDeck deck = deck_with_scale(unset);
+  deck.scale.plate_width = 50e-3;
+  for (const double behind : {-0.05, 0.05}) {
+    deck.pile.edge_behind_axis = behind;
+    const PileView view = measure(heap_on_plate(), deck, parameters);
+    EXPECT_NEAR(view.pixels_per_metre, 1e4 * (1.0 + behind), 30.0);
+    EXPECT_NEAR(view.base_width, 36e-3 / (1.0 + behind), 4e-4);
+  }
 }
 
 std::string refusal(const Image& image, PhotoDeck deck = deck_with_scale(10.0)) {
@@ -124,6 +142,16 @@ TEST(PhotoPile, WhatIsNoPictureOfAPileIsRefused) {
                             }))
                 .find("no pile is found"),
             std::string::npos);
+
+  // A plate without a pile: its fitted edge is exact for some of these, and off by the last bit for others.
+  for (const double top : {200.0, 230.0, 251.0, 300.0}) {
+    for (const double width : {240.0, 333.0, 400.0, 500.0}) {
+      const Image bare =
+          picture({}, 0.8, [&](double x, double y) { return y >= top && x >= 50.0 && x < 50.0 + width ? 1.0 : 0.0; });
+      EXPECT_NE(refusal(bare).find("no pile is found: nothing stands out above the base line"), std::string::npos)
+          << top << ", " << width << ": " << refusal(bare);
+    }
+  }
 
   PhotoDeck plate = deck_with_scale(unset);
   plate.scale.plate_width = 0.05;

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "deck/deck.h"
+#include "deck_error.h"
 #include "scene/particles/periodicity.h"
 #include "scene/walls/periodic_walls.h"
 #include "scene_samples.h"
@@ -82,7 +83,15 @@ TEST(Periodicity, StaysInsideOnlyAwayFromTheBoundaries) {
 TEST(Periodicity, TheSkinIsAQuarterOfTheShortestLengthLessARadius) {
   EXPECT_NEAR(longest_skin(Periodicity(box), 0.004), 0.006, 1e-15);
   EXPECT_TRUE(std::isinf(longest_skin(Periodicity(), 0.004)));
-  EXPECT_THROW(longest_skin(Periodicity(box), 0.0081), DeckError);
+  const auto message = [](std::string_view further) {
+    return test::deck_error([&] { longest_skin(Periodicity(box), 0.0081, further); });
+  };
+  EXPECT_EQ(message(""),
+            "domain.periodic: the domain is 0.04 m long, less than 2.5 times the largest diameter 0.0162 m, so that a "
+            "particle would meet its own image; enlarge it to 0.0405 m");
+  EXPECT_EQ(message("phase.growth"),
+            "domain.periodic: the domain is 0.04 m long, less than 5 times the largest reach 0.0081 m of a particle "
+            "(with phase.growth), so that a particle would meet its own image; enlarge it to 0.0405 m");
 }
 
 WallDeck rectangle(const Vec3& corner, const Vec3& u, const Vec3& v) {

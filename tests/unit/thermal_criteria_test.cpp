@@ -1,4 +1,5 @@
 // Each criterion of thesis section 5.2: a transient that breaks it, and no other that it need not, is reported.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -81,7 +82,8 @@ TEST(Criteria, TotalRise) {
 }
 
 TEST(Criteria, WindowOfPoints) {
-  const Sample s = steel();
+  Sample s = steel();
+  s.measurement.power = 4.0;  // 2.7 K at the last point that is used
   const Transient t = synthesise(s.measurement, rings());
   TpsSetup setup = setup_of(s.measurement);
   setup.first = 9;
@@ -89,6 +91,32 @@ TEST(Criteria, WindowOfPoints) {
   setup.first = 10;
   setup.last = 91;
   EXPECT_EQ(broken(t, setup, s.limits), Names{"points_used"});
+}
+
+/// A heater that is off after the last point that is used: every criterion is as if the record ended there.
+TEST(Criteria, WhatIsLeftOutAtTheEndCountsForNone) {
+  Sample s = steel();
+  s.measurement.power = 4.0;
+  TpsSetup setup = setup_of(s.measurement);
+  const auto criteria = [&](const Transient& t) {
+    return check_criteria(t, setup, fit_transient(t, setup, rings(), "synthetic"), s.limits);
+  };
+  Transient t = synthesise(s.measurement, rings());
+  Transient cut = t;
+  for (std::vector<double>* values : {&cut.time, &cut.rise}) values->resize(150);
+  cut.power.assign(150, s.measurement.power);
+  const std::vector<Criterion> expected = criteria(cut);
+
+  t.power = cut.power;
+  t.power.resize(t.time.size(), 1e-3);
+  std::fill(t.rise.begin() + 150, t.rise.end(), 0.4);
+  setup.last = 50;
+  const std::vector<Criterion> found = criteria(t);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].value, expected[i].value) << found[i].name;
+    EXPECT_EQ(found[i].is_met, expected[i].is_met) << found[i].name;
+  }
 }
 
 TEST(Criteria, ProbingDepth) {

@@ -85,6 +85,15 @@ TEST(TpsTool, MakesNothingUpBeyondItsTable) {
   expect_deck_error([] { made(decks[0], {"synthetic.duration=1e6 s"}); }, "at most 100 is tabulated");
 }
 
+TEST(TpsTool, TakesThePowerOfThePointsThatAreUsed) {
+  const Transient t = parse_transient(made(decks[0]), {});
+  std::string text = "time,temperature,power\n";
+  for (std::size_t i = 0; i < t.time.size(); ++i)
+    text += fmt::format("{},{},{}\n", t.time[i], t.rise[i], i < 10 ? 1.7 : i < 150 ? 1.8 : 0.1);
+  const ToolInput input = example(decks[0], {"evaluation.leave_out_last=50"}, {{"t.csv", text}});
+  EXPECT_NEAR(tps_tool(input).json["transients"][0]["power_W"].get<double>(), 1.8, 1e-12);
+}
+
 TEST(TpsTool, ReportsABrokenCriterion) {
   const Json result =
       tps_tool(example(decks[0], {"criteria.available_depth=5 mm"}, {made(decks[0])})).json["transients"][0];

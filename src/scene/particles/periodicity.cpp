@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/core.h>
 
@@ -75,15 +76,18 @@ SpheresWithImages with_images(const Periodicity& periodic, std::span<const Vec3>
   return all;
 }
 
-double longest_skin(const Periodicity& periodic, double largest_radius) {
+double longest_skin(const Periodicity& periodic, double reach, std::string_view further) {
   const double longest_reach = 0.5 * periodic.longest_range();
-  if (longest_reach < 1.25 * largest_radius) {
-    throw DeckError(
-        fmt::format("domain.periodic: the domain is {:.4g} m long, less than 2.5 times the largest diameter {:.4g} m, "
-                    "so that a particle would meet its own image; enlarge it to {:.4g} m",
-                    4.0 * longest_reach, 2.0 * largest_radius, 5.0 * largest_radius));
+  if (longest_reach < 1.25 * reach) {
+    const std::string times =
+        further.empty() ? fmt::format("2.5 times the largest diameter {:.4g} m", 2.0 * reach)
+                        : fmt::format("5 times the largest reach {:.4g} m of a particle (with {})", reach, further);
+    throw DeckError(fmt::format(
+        "domain.periodic: the domain is {:.4g} m long, less than {}, so that a particle would meet its own image; "
+        "enlarge it to {:.4g} m",
+        4.0 * longest_reach, times, 5.0 * reach));
   }
-  return longest_reach - largest_radius;
+  return longest_reach - reach;
 }
 
 }  // namespace repose

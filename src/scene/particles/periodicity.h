@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "base/vec3.h"
@@ -99,8 +100,9 @@ struct SpheresWithImages {
 SpheresWithImages with_images(const Periodicity& periodic, std::span<const Vec3> position,
                               std::span<const double> radius);
 
-/// The longest skin in m with which no particle of at most `largest_radius` m is listed twice with another; infinite
-/// without periodic directions. DeckError when the domain is less than 2.5 of the largest diameters long.
-double longest_skin(const Periodicity& periodic, double largest_radius);
+/// The longest skin in m with which no particle that reaches at most `reach` m from its centre is listed twice with
+/// another; infinite without periodic directions. `further` says what adds to the largest radius, if anything does.
+/// DeckError when the domain is less than 5 reaches long.
+double longest_skin(const Periodicity& periodic, double reach, std::string_view further = {});
 
 }  // namespace repose

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "comm/agreement.h"
 #include "commands/command.h"
 #include "files/atomic_file.h"
 #include "files/directory.h"
@@ -11,6 +12,12 @@
 
 namespace repose {
 namespace {
+
+/// FileError when a file is there that has other bytes: it may have been edited.
+void refuse_other_file(const std::string& path, const std::string& bytes) {
+  if (!std::filesystem::exists(path) || read_whole_file(path) == bytes) return;
+  throw FileError(path + ": is there already, with another content; name another folder");
+}
 
 class Import : public Command {
  public:
@@ -23,6 +30,14 @@ class Import : public Command {
   }
 
   void carry_out(Process& process) override {
+    std::string said;
+    agree_after_root(process.ranks(), [&] { said = write_deck(); });
+    process.say(said);
+  }
+
+ private:
+  /// Writes the deck and its files; what is to be said of it.
+  std::string write_deck() const {
     const std::string name = std::filesystem::path(script_).filename().string();
     const ReadFile read = [&](const std::string& file) {
       return read_whole_file(file == dump_ ? file : path_beside(script_, file));
@@ -32,15 +47,17 @@ class Import : public Command {
       const std::size_t more = imported.missing.size() - 1;
       throw DeckError(text(imported.missing.front()) + (more > 0 ? fmt::format(" (and {} more)", more) : ""));
     }
+    const std::string deck = fmt::format("{}/{}", output_, deck_name(name));
+    std::vector<std::pair<std::string, std::string>> files = {{deck, imported.deck}};
+    for (const auto& [file, bytes] : imported.files) files.emplace_back(output_ + "/" + file, bytes);
+    for (const auto& [path, bytes] : files) refuse_other_file(path, bytes);
     create_output_directory(output_);
-    for (const auto& [file, bytes] : imported.files) write_text_file(output_ + "/" + file, bytes);
-    write_text_file(output_ + "/" + deck_name(name), imported.deck);
-    std::string said = fmt::format("{}/{}\n", output_, deck_name(name));
+    for (const auto& [path, bytes] : files) write_text_file(path, bytes);
+    std::string said = deck + "\n";
     for (const Note& note : imported.missing) said += "without a counterpart: " + text(note) + "\n";
-    process.say(said);
+    return said;
   }
 
- private:
   std::string script_;
   std::string output_;
   std::string dump_;

@@ -22,6 +22,27 @@ void units(Translation& to, Words& words) {
   }
 }
 
+void dimension(Translation& to, Words& words) {
+  if (words.integer("the number of dimensions") != 3) words.fail("grains are spheres in three dimensions");
+  note_needless(to.scene, words.command(), "space has three dimensions");
+}
+
+void clear(Translation& to, Words& words) {
+  if (to.scene.has_run()) words.fail("a deck is one simulation; make a script of its own of what comes after clear");
+  to.scene = ImportedScene();
+  note_needless(to.scene, words.command(), "nothing has been run before");
+}
+
+void neigh_modify(Translation& to, Words& words) {
+  while (!words.at_end()) {
+    if (words.take("exclude") && !words.take("none")) {
+      return note_missing(to.scene, words.command(), "all grains touch one another");
+    }
+    if (!words.at_end()) words.word("a key");
+  }
+  note_needless(to.scene, words.command(), "neighbour lists adapt by themselves");
+}
+
 void atom_style(Translation&, Words& words) {
   for (const std::string& style : words.rest()) {
     if (style == "granular" || style == "sphere" || style == "hybrid") continue;
@@ -121,11 +142,9 @@ void create_box(Translation& to, Words& words) {
 }  // namespace
 
 const Translations& box_commands() {
-  static const Translations commands = {{"units", units},
-                                        {"atom_style", atom_style},
-                                        {"boundary", boundary},
-                                        {"region", region},
-                                        {"create_box", create_box}};
+  static const Translations commands = {
+      {"units", units},           {"dimension", dimension}, {"clear", clear},   {"neigh_modify", neigh_modify},
+      {"atom_style", atom_style}, {"boundary", boundary},   {"region", region}, {"create_box", create_box}};
   return commands;
 }
 

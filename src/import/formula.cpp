@@ -80,22 +80,31 @@ class Parser {
   }
 
   double conjunction() {
-    double value = comparison();
+    double value = equality();
     while (take("&&")) {
-      const double other = comparison();
+      const double other = equality();
       value = value != 0.0 && other != 0.0 ? 1.0 : 0.0;
     }
     return value;
   }
 
+  double equality() {
+    double value = comparison();
+    for (;;) {
+      if (take("==")) {
+        value = value == comparison() ? 1.0 : 0.0;
+      } else if (take("!=")) {
+        value = value != comparison() ? 1.0 : 0.0;
+      } else {
+        return value;
+      }
+    }
+  }
+
   double comparison() {
     double value = sum();
     for (;;) {
-      if (take("==")) {
-        value = value == sum() ? 1.0 : 0.0;
-      } else if (take("!=")) {
-        value = value != sum() ? 1.0 : 0.0;
-      } else if (take("<=")) {
+      if (take("<=")) {
         value = value <= sum() ? 1.0 : 0.0;
       } else if (take(">=")) {
         value = value >= sum() ? 1.0 : 0.0;
@@ -123,10 +132,10 @@ class Parser {
   }
 
   double product() {
-    double value = sign();
+    double value = power();
     for (;;) {
       if (take("*")) {
-        value *= sign();
+        value *= power();
       } else if (take("/")) {
         value /= divisor();
       } else if (take("%")) {
@@ -138,11 +147,18 @@ class Parser {
   }
 
   double divisor() {
-    const double value = sign();
+    const double value = power();
     if (value == 0.0) fail("a division by zero");
     return value;
   }
 
+  double power() {
+    double value = sign();
+    while (take("^")) value = std::pow(value, sign());
+    return value;
+  }
+
+  /// Tighter than ^: -2^2 is 4.
   double sign() {
     if (++depth_ > deepest) fail("it is nested too deeply");
     double value = 0.0;
@@ -151,15 +167,10 @@ class Parser {
     } else if (take("!")) {
       value = sign() == 0.0 ? 1.0 : 0.0;
     } else {
-      value = power();
+      value = item();
     }
     --depth_;
     return value;
-  }
-
-  double power() {
-    const double base = item();
-    return take("^") ? std::pow(base, sign()) : base;
   }
 
   double item() {

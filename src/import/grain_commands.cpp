@@ -13,10 +13,6 @@
 namespace repose {
 namespace {
 
-bool holds(const ScriptGroup& group, const Grain& grain) {
-  return group.has_all || group.types.contains(grain.type) || group.grains.contains(grain.id);
-}
-
 /// What a command may change of a grain before the first run; after it a deck cannot say so.
 bool comes_too_late(Translation& to, Words& words) {
   if (!to.scene.has_run()) return false;
@@ -41,7 +37,7 @@ void read_data(Translation& to, Words& words) {
   to.scene.box_place = words.place();
   to.scene.types = std::max(1, list.types);
   to.scene.grains = list.grains;
-  to.scene.grain_places.push_back(words.place());
+  to.scene.grain_origins.push_back(words.command());
   for (const std::string& more : words.rest()) {
     note_missing(to.scene, words.command(), fmt::format("\"{}\" of read_data", more));
   }
@@ -65,41 +61,57 @@ void create_atoms(Translation& to, Words& words) {
   for (const Grain& other : to.scene.grains) grain.id = std::max(grain.id, other.id);
   ++grain.id;
   to.scene.grains.push_back(grain);
-  to.scene.grain_places.push_back(words.place());
+  to.scene.grain_origins.push_back(words.command());
 }
 
-/// group NAME type N... | region NAME | id FROM:TO... | union NAME...
+/// Of types or ids: N or FROM:TO, each.
+void group_by_number(std::set<std::int64_t>& made, bool is_by_type, const ImportedScene& scene, Words& words) {
+  for (const std::string& range : words.rest()) {
+    const std::size_t colon = std::min(range.find(':'), range.size());
+    const double low = number_of(range.substr(0, colon), words.place(), "type or id");
+    const double high = colon == range.size() ? low : number_of(range.substr(colon + 1), words.place(), "type or id");
+    for (const Grain& grain : scene.grains) {
+      const auto number = static_cast<double>(is_by_type ? grain.type : grain.id);
+      if (number >= low && number <= high) made.insert(grain.id);
+    }
+  }
+}
+
+/// union, intersect or subtract, as LIGGGHTS does it: only subtract takes grains out of a group that was there.
+void group_by_groups(std::set<std::int64_t>& made, const std::string& style, const ImportedScene& scene, Words& words) {
+  std::vector<const ScriptGroup*> groups;
+  while (!words.at_end()) groups.push_back(&find_item(scene.groups, words.word("a group"), words, "group"));
+  if (groups.empty()) words.fail("a group of no groups");
+  for (const Grain& grain : scene.grains) {
+    const auto has = [&](const ScriptGroup* group) { return group->holds(grain); };
+    const bool is_in_others = std::any_of(groups.begin() + 1, groups.end(), has);
+    if (style == "subtract" && is_in_others) {
+      made.erase(grain.id);
+    } else if (style == "intersect" ? std::all_of(groups.begin(), groups.end(), has)
+                                    : is_in_others || has(groups.front())) {
+      made.insert(grain.id);
+    }
+  }
+}
+
+/// group NAME type N... | region NAME | id FROM:TO... | union NAME... | ...
 void group(Translation& to, Words& words) {
   const std::string name = words.word("the name of the group");
   const std::string style = words.word("the style of the group");
-  ScriptGroup& made = to.scene.groups[name];
-  if (style == "type") {
-    while (!words.at_end())
-      made.types.insert(static_cast<int>(std::clamp<std::int64_t>(words.integer("a type"), 0, 1001)));
+  std::set<std::int64_t>& made = to.scene.groups[name].grains;
+  if (style == "type" || style == "id") {
+    group_by_number(made, style == "type", to.scene, words);
+  } else if (style == "union" || style == "intersect" || style == "subtract") {
+    group_by_groups(made, style, to.scene, words);
   } else if (style == "region") {
     const ScriptRegion& region = find_item(to.scene.regions, words.word("the region"), words, "region");
     for (const Grain& grain : to.scene.grains) {
-      if (is_inside(region, grain.position)) made.grains.insert(grain.id);
+      if (is_inside(region, grain.position)) made.insert(grain.id);
     }
-  } else if (style == "id") {
-    for (const std::string& range : words.rest()) {
-      const std::size_t colon = std::min(range.find(':'), range.size());
-      const double low = number_of(range.substr(0, colon), words.place(), "id");
-      const double high = colon == range.size() ? low : number_of(range.substr(colon + 1), words.place(), "id");
-      for (const Grain& grain : to.scene.grains) {
-        if (static_cast<double>(grain.id) >= low && static_cast<double>(grain.id) <= high) made.grains.insert(grain.id);
-      }
-    }
-  } else if (style == "union") {
-    for (const std::string& other_name : words.rest()) {
-      const ScriptGroup other = find_item(to.scene.groups, other_name, words, "group");
-      ScriptGroup& whole = to.scene.groups[name];
-      whole.has_all = whole.has_all || other.has_all;
-      whole.types.insert(other.types.begin(), other.types.end());
-      whole.grains.insert(other.grains.begin(), other.grains.end());
-    }
-  } else if (style != "clear" && style != "empty") {
-    note_missing(to.scene, words.command(), fmt::format("a group by \"{}\"", style));
+  } else if (style == "clear" || style == "delete") {
+    made.clear();
+  } else if (style != "empty" && style != "initialize" && !to.scene.grains.empty()) {
+    words.fail(fmt::format("a group by \"{}\" has no counterpart", style));
   }
 }
 
@@ -112,7 +124,7 @@ std::vector<Grain*> chosen_grains(Translation& to, Words& words) {
   for (Grain& grain : to.scene.grains) {
     bool is_chosen = false;
     if (style == "group") {
-      is_chosen = holds(find_item(to.scene.groups, name, words, "group"), grain);
+      is_chosen = find_item(to.scene.groups, name, words, "group").holds(grain);
     } else if (style == "type") {
       is_chosen = static_cast<double>(grain.type) == whole(name);
     } else if (style == "atom") {
@@ -172,7 +184,7 @@ void set(Translation& to, Words& words) {
       return note_missing(to.scene, words.command(), fmt::format("\"{}\" of grains", key));
     }
   }
-  to.scene.grain_places.push_back(words.place());
+  to.scene.grain_origins.push_back(words.command());
 }
 
 /// velocity GROUP set VX VY VZ
@@ -185,10 +197,10 @@ void velocity(Translation& to, Words& words) {
     if (words.take("NULL")) continue;
     const double value = words.number("the velocity") * to.scene.units.speed();
     for (Grain& grain : to.scene.grains) {
-      if (holds(group, grain)) grain.velocity.*component = value;
+      if (group.holds(grain)) grain.velocity.*component = value;
     }
   }
-  to.scene.grain_places.push_back(words.place());
+  to.scene.grain_origins.push_back(words.command());
 }
 
 /// delete_atoms group NAME | region NAME
@@ -198,17 +210,11 @@ void delete_atoms(Translation& to, Words& words) {
   std::set<std::int64_t> ids;
   for (const Grain* grain : chosen_grains(to, words)) ids.insert(grain->id);
   std::erase_if(to.scene.grains, [&](const Grain& grain) { return ids.contains(grain.id); });
-  to.scene.grain_places.push_back(words.place());
+  to.scene.grain_origins.push_back(words.command());
 }
 
-/// fix ID GROUP freeze
-void freeze(Translation& to, Words& words) {
-  if (comes_too_late(to, words)) return;
-  note_insertions(to, words);
-  const ScriptGroup& group = find_item(to.scene.groups, words.command().words[2], words, "group");
-  for (Grain& grain : to.scene.grains) grain.is_fixed = grain.is_fixed || holds(group, grain);
-  to.scene.grain_places.push_back(words.place());
-}
+/// fix ID GROUP freeze: acts when the first run begins (settle_groups).
+void freeze(Translation& to, Words& words) { comes_too_late(to, words); }
 
 /// compute ID GROUP STYLE ...: of interest is who knows the radii.
 void compute(Translation& to, Words& words) {

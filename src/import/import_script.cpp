@@ -46,12 +46,14 @@ void check_complete(const ImportedScene& scene, const Place& end) {
 /// The grains of a dump in place of those that the script inserts before its first run or makes.
 void take_dump(Translation& to, const std::string& dump) {
   ImportedScene& scene = to.scene;
+  const std::string reason = "the grains of " + dump + " are there instead";
   for (const ScriptInsertion& insertion : scene.insertions) {
-    scene.missing.push_back({insertion.place, "fix " + insertion.name, "the grains of " + dump + " are there instead"});
+    scene.missing.push_back({insertion.place, "fix " + insertion.name, reason});
   }
+  for (const ScriptCommand& command : scene.grain_origins) note_missing(scene, command, reason);
   scene.insertions.clear();
   scene.grains = parse_dump(to.read_file(dump), dump, scene.units).grains;
-  scene.grain_places = {{dump, 1}};
+  scene.grain_origins = {ScriptCommand{{dump, 1}, {}}};
   for (Grain& grain : scene.grains) {
     if (grain.density > 0.0) continue;
     for (const auto& [name, made] : scene.templates) {
@@ -73,7 +75,7 @@ void write_grain_blocks(DeckText& deck, const ImportedScene& scene) {
     const bool has_some = std::any_of(scene.grains.begin(), scene.grains.end(),
                                       [&](const Grain& grain) { return grain.is_fixed == is_fixed; });
     if (!has_some) continue;
-    deck.section("[[particles]]", scene.grain_places.front());
+    deck.section("[[particles]]", scene.grain_origins.front().place);
     deck.key("type", "csv");
     deck.key("file", grain_file(is_fixed));
     if (is_fixed) deck.key("fixed", true);

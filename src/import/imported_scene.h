@@ -63,8 +63,19 @@ struct Grain {
 /// As LAMMPS fixes it when it is defined.
 struct ScriptGroup {
   bool has_all = false;
-  std::set<int> types = {};
   std::set<std::int64_t> grains = {};  ///< ids of the list
+
+  bool holds(const Grain& grain) const { return has_all || grains.contains(grain.id); }
+};
+
+/// A fix that is there.
+struct ScriptFix {
+  ScriptCommand command = {};
+  bool is_checked = false;  ///< whether its group has been compared with the list
+  bool is_noted = false;    ///< that it acts on other grains than here
+
+  const std::string& group() const { return command.words[2]; }
+  const std::string& style() const { return command.words[3]; }
 };
 
 /// `fix property/global`
@@ -109,8 +120,7 @@ struct ScriptMesh {
   double scale = 1.0;
   std::vector<std::array<double, 4>> turns = {};  ///< axis and degrees
   Vec3 shift = {};
-  std::optional<Vec3> surface_velocity = {};
-  std::optional<MotionDeck> surface_turn = {};
+  std::optional<MotionDeck> surface_motion = {};
   std::optional<double> temperature = {};  ///< K
   std::optional<double> feature_angle = {};
 };
@@ -122,8 +132,10 @@ struct ScriptWall {
   ScriptModel model = {};
   int type = 1;
   std::string shape = {};  ///< xplane, ..., zcylinder; empty: meshes
-  std::array<double, 3> numbers{};
-  std::optional<Vec3> surface_velocity = {};
+  Vec3 point = {};         ///< of a primitive: on the plane or on the axis
+  Vec3 direction = {};     ///< of a primitive: the normal or the axis
+  double radius = 0.0;     ///< of a cylinder
+  std::optional<MotionDeck> shear = {};
   std::optional<double> temperature = {};  ///< K, of a primitive
   std::vector<std::string> meshes = {};
   std::size_t from = 0;
@@ -175,8 +187,9 @@ struct ScriptInsertion {
   InsertionKind kind = InsertionKind::pack;
   std::string distribution = {};
   std::int64_t seed = 1;
-  std::string region = {};  ///< pack, rate_region
-  std::string face = {};    ///< stream: a mesh
+  std::string region = {};            ///< pack, rate_region
+  std::string face = {};              ///< stream: a mesh
+  std::set<std::string> groups = {};  ///< that have its grains
   Vec3 velocity = {};
   std::optional<double> count = {};            ///< in all
   std::optional<double> mass = {};             ///< kg, in all
@@ -203,7 +216,7 @@ struct ImportedScene {
   Place box_place = {};
   int types = 0;
   std::map<std::string, ScriptRegion> regions = {};
-  std::map<std::string, ScriptGroup> groups = {{"all", {true, {}, {}}}};
+  std::map<std::string, ScriptGroup> groups = {{"all", {true, {}}}};
 
   std::map<std::string, Property> properties = {};  ///< by the name of what they are
   std::map<std::string, ParticleTemplate> templates = {};
@@ -223,15 +236,15 @@ struct ImportedScene {
   std::optional<ScriptHeat> heat = {};
   std::vector<ScriptHeating> heatings = {};
   std::vector<Grain> grains = {};
-  std::vector<Place> grain_places = {};  ///< commands that have made or changed the list
+  std::vector<ScriptCommand> grain_origins = {};  ///< commands that have made or changed the list
   std::vector<ScriptRun> runs = {};
   std::optional<double> dump_interval = {};    ///< s
   std::optional<double> series_interval = {};  ///< s
-  bool integrates = false;                     ///< a fix nve/sphere is there
+  bool integrates = false;                     ///< a fix nve/sphere is there in the first run
 
-  std::map<std::string, std::string> fixes = {};  ///< style of each that is there
-  std::vector<Note> missing = {};                 ///< what has no counterpart
-  std::vector<Note> needless = {};                ///< what a deck need not say
+  std::map<std::string, ScriptFix> fixes = {};  ///< those that are there
+  std::vector<Note> missing = {};               ///< what has no counterpart
+  std::vector<Note> needless = {};              ///< what a deck need not say
 
   bool has_run() const { return !runs.empty(); }
   /// Whether this mesh is, or has been, a wall.

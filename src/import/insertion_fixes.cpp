@@ -180,6 +180,18 @@ void check(const ScriptInsertion& made, Words& words) {
   }
 }
 
+/// Those of the fix, of its distribution and of their templates (FixTemplateSphere::randomize_ptilist).
+std::set<std::string> groups_of(const ScriptInsertion& made, const ImportedScene& scene, const Words& words) {
+  std::set<std::string> groups = {"all", words.command().words[2]};
+  std::vector<std::string> fixes = scene.distributions.at(made.distribution).templates;
+  fixes.push_back(made.distribution);
+  for (const std::string& name : fixes) {
+    const auto found = scene.fixes.find(name);
+    if (found != scene.fixes.end()) groups.insert(found->second.group());
+  }
+  return groups;
+}
+
 template <InsertionKind kind>
 void insertion(Translation& to, Words& words) {
   ScriptInsertion made{.place = words.place(), .name = words.command().words[1], .kind = kind};
@@ -189,6 +201,7 @@ void insertion(Translation& to, Words& words) {
     read_key(key, made, to, words);
   }
   check(made, words);
+  made.groups = groups_of(made, to.scene, words);
   to.scene.insertions.push_back(std::move(made));
 }
 

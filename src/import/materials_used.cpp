@@ -32,8 +32,8 @@ MaterialsUsed::MaterialsUsed(const ImportedScene& scene) : pair_(*scene.model), 
     }
   }
   for (const Grain& grain : scene.grains) {
-    check_type(grain.type, scene, scene.grain_places.front());
-    add_grains(grain.type, grain.density, scene.grain_places.front());
+    check_type(grain.type, scene, scene.grain_origins.front().place);
+    add_grains(grain.type, grain.density, scene.grain_origins.front().place);
   }
   for (const ScriptWall& wall : scene.walls) {
     unite(wall.model);

@@ -35,7 +35,8 @@ bool read_part(Words& words, ScriptModel& model) {
   return true;
 }
 
-/// A setting that is on or off.
+}  // namespace
+
 bool read_setting(Words& words, ScriptModel& model) {
   if (words.take("tangential_damping")) {
     model.tangential_damping = words.choice("tangential_damping");
@@ -61,8 +62,6 @@ bool read_setting(Words& words, ScriptModel& model) {
   }
   return true;
 }
-
-}  // namespace
 
 ScriptModel read_model(Words& words) {
   ScriptModel model{.place = words.place()};

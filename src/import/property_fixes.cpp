@@ -44,7 +44,6 @@ void gravity(Translation& to, Words& words) {
 }
 
 void integrator(Translation& to, Words& words) {
-  to.scene.integrates = true;
   note_needless(to.scene, words.command(), "grains move by themselves");
 }
 

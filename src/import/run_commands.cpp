@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "import/fix_groups.h"
 #include "import/translate.h"
 
 namespace repose {
@@ -49,6 +50,7 @@ void run(Translation& to, Words& words) {
   if (run.steps < 0 || run.steps > most) words.fail(fmt::format("a run of {} steps", run.steps));
   if (run.steps == 0) return note_needless(to.scene, words.command(), "no step is made");
   if (!to.scene.timestep) words.fail("a run before any timestep");
+  settle_groups(to.scene);
   if (begins_anew(to.scene)) {
     to.scene.runs.push_back(run);
   } else {
@@ -61,10 +63,11 @@ void unfix(Translation& to, Words& words) {
   const std::string name = words.word("the name of the fix");
   const auto found = to.scene.fixes.find(name);
   if (found == to.scene.fixes.end()) words.fail(fmt::format("no fix \"{}\" is there", name));
-  const std::string style = found->second;
+  const std::string style = found->second.style();
   to.scene.fixes.erase(found);
   if (end_fix(to.scene, name)) return;
-  if (style == "gravity" || style == "nve/sphere" || style == "freeze" || style.starts_with("heat/gran")) {
+  const bool lasts = style == "gravity" || style.starts_with("heat/gran");
+  if (lasts || (to.scene.has_run() && (style == "nve/sphere" || style == "freeze"))) {
     return note_missing(to.scene, words.command(), fmt::format("{} lasts for the whole run", style));
   }
   note_needless(to.scene, words.command(), fmt::format("fix {} is not in the deck", style));

@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "import/wall_motions.h"
+
 namespace repose {
 namespace {
 
@@ -30,12 +32,8 @@ double expected_speed(const ImportedScene& scene) {
   const Vec3& g = scene.gravity;
   const double fall = std::fabs(g.x) * size.x + std::fabs(g.y) * size.y + std::fabs(g.z) * size.z;
   const double speed = most_speed(scene);
-  double result = std::sqrt(speed * speed + 2.0 * fall);
-  for (const MeshMotion& moves : scene.motions) result = std::max(result, norm(moves.motion.velocity));
-  for (const auto& [name, mesh] : scene.meshes) {
-    if (mesh.surface_velocity) result = std::max(result, norm(*mesh.surface_velocity));
-  }
-  return rounded_up(std::max(result, 1e-3));
+  const double driven = greatest_wall_speed(scene);
+  return rounded_up(std::max({std::sqrt(speed * speed + 2.0 * fall), driven, 1e-3}));
 }
 
 void write_heating(DeckText& deck, const ImportedScene& scene, const ScriptHeating& heating, const Extent& domain) {

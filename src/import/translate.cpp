@@ -17,7 +17,6 @@ const std::map<std::string, std::string>& needless_commands() {
   static const std::map<std::string, std::string> reasons = {
       {"atom_modify", lists},
       {"neighbor", lists},
-      {"neigh_modify", lists},
       {"newton", ranks},
       {"communicate", ranks},
       {"comm_modify", ranks},
@@ -39,12 +38,10 @@ const std::map<std::string, std::string>& needless_commands() {
       {"write_dump", results},
       {"write_data", results},
       {"info", results},
-      {"clear", "nothing is left from before"},
       {"hard_particles", "any stiffness is allowed"},
       {"soft_particles", "any stiffness is allowed"},
       {"modify_timing", results},
       {"timers", results},
-      {"dimension", "space has three dimensions"},
       {"suffix", ranks},
       {"package", ranks},
   };
@@ -59,7 +56,6 @@ const std::map<std::string, std::string>& needless_fixes() {
       {"ave/atom", "a run writes its own results"},
       {"ave/euler", "a run writes its own results"},
       {"balance", "ranks share the particles by themselves"},
-      {"mesh/surface/stress/monitor", "walls.csv has the loads"},
   };
   return reasons;
 }
@@ -121,10 +117,10 @@ std::string reason_of_missing_fix(const std::string& style) {
 
 void translate_fix(Translation& to, Words& words) {
   const std::string id = words.word("the name of the fix");
-  words.word("the group of the fix");
+  find_item(to.scene.groups, words.word("the group of the fix"), words, "group");
   std::string style = words.word("the style of the fix");
   if (to.scene.fixes.contains(id)) end_fix(to.scene, id);  // a fix of the same name replaces it
-  to.scene.fixes[id] = style;
+  to.scene.fixes[id] = {words.command()};
   if (style.starts_with("mesh/surface")) {
     if (style.find("servo") != std::string::npos || style.find("6dof") != std::string::npos) {
       words.fail(fmt::format("fix {}: a mesh that the grains move has no counterpart", style));

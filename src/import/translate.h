@@ -43,6 +43,8 @@ void refuse_second(const ImportedScene& scene, const std::string& name, const Wo
 
 /// The words of a contact model, in pair_style and fix wall/gran, up to the first that is none of them.
 ScriptModel read_model(Words& words);
+/// A setting of a contact model that is on or off; false when the next word is none.
+bool read_setting(Words& words, ScriptModel& model);
 /// `pair_style`
 void translate_pair_style(Translation& to, Words& words);
 
@@ -50,8 +52,8 @@ void translate_pair_style(Translation& to, Words& words);
 void translate(Translation& to, const ScriptCommand& command);
 
 /// An item by its name. DeckError that says which are known.
-template <class T>
-T& find_item(std::map<std::string, T>& items, const std::string& name, const Words& words, const std::string& kind) {
+template <class Items>
+auto& find_item(Items& items, const std::string& name, const Words& words, const std::string& kind) {
   const auto found = items.find(name);
   if (found != items.end()) return found->second;
   std::string known;

@@ -11,8 +11,16 @@ namespace {
 
 Vec3 axis(Words& words) {
   const Vec3 direction = words.vector("the axis");
-  if (!(norm(direction) > 0.0)) words.fail("the axis has no length");
+  const double length = norm(direction);  // within what unit_vector.h takes
+  if (!(length > 1e-150 && length < 1e150)) words.fail("the axis has no direction");
   return direction;
+}
+
+MotionDeck conveyor(const Vec3& velocity) {
+  MotionDeck motion;
+  motion.type = MotionType::conveyor;
+  motion.velocity = velocity;
+  return motion;
 }
 
 /// A rotation about its axis, still without a speed.
@@ -66,9 +74,9 @@ void read_mesh_key(const std::string& key, ScriptMesh& mesh, Translation& to, Wo
     words.expect("angle");
     turn_mesh(mesh, direction, words.number("the angle"));
   } else if (key == "surface_vel") {
-    mesh.surface_velocity = units.speed() * words.vector("the velocity of the surface");
+    mesh.surface_motion = conveyor(units.speed() * words.vector("the velocity of the surface"));
   } else if (key == "surface_ang_vel") {
-    mesh.surface_turn = surface_turn(words, units);
+    mesh.surface_motion = surface_turn(words, units);
   } else if (key == "temperature") {
     mesh.temperature = temperature(words);
   } else if (key == "curvature") {
@@ -97,6 +105,21 @@ void mesh(Translation& to, Words& words) {
   to.scene.meshes[name] = mesh;
 }
 
+Vec3 unit_along(char axis) { return {axis == 'x' ? 1.0 : 0.0, axis == 'y' ? 1.0 : 0.0, axis == 'z' ? 1.0 : 0.0}; }
+
+void plane(ScriptWall& wall, Words& words, const ScriptUnits& units) {
+  wall.point = words.number("the place of the wall") * units.length * wall.direction;
+}
+
+/// Of a ycylinder LIGGGHTS counts z first, then x (primitive_wall_definitions.h).
+void cylinder(ScriptWall& wall, Words& words, const ScriptUnits& units) {
+  wall.radius = words.number("the radius of the wall") * units.length;
+  if (!(wall.radius > 0.0)) words.fail("a cylinder has a radius above 0");
+  const double c1 = words.number("the place of the wall") * units.length;
+  const double c2 = words.number("the place of the wall") * units.length;
+  wall.point = wall.shape[0] == 'x' ? Vec3{0.0, c1, c2} : wall.shape[0] == 'y' ? Vec3{c2, 0.0, c1} : Vec3{c1, c2, 0.0};
+}
+
 void primitive(ScriptWall& wall, Words& words, const ScriptUnits& units) {
   words.expect("type");
   wall.type = words.type();
@@ -105,10 +128,8 @@ void primitive(ScriptWall& wall, Words& words, const ScriptUnits& units) {
   if (!is_plane && wall.shape != "xcylinder" && wall.shape != "ycylinder" && wall.shape != "zcylinder") {
     words.fail(fmt::format("a wall that is a \"{}\"; planes and cylinders across x, y and z are known", wall.shape));
   }
-  for (std::size_t k = 0; k < (is_plane ? 1U : 3U); ++k) {
-    wall.numbers.at(k) = words.number("the place of the wall") * units.length;
-  }
-  if (!is_plane && !(wall.numbers[0] > 0.0)) words.fail("a cylinder has a radius above 0");
+  wall.direction = unit_along(wall.shape[0]);
+  (is_plane ? plane : cylinder)(wall, words, units);
 }
 
 void meshes_of_wall(ScriptWall& wall, Translation& to, Words& words) {
@@ -122,16 +143,41 @@ void meshes_of_wall(ScriptWall& wall, Translation& to, Words& words) {
   }
 }
 
-Vec3 shear(Words& words, const ScriptUnits& units) {
+/// Along a wall; across the axis of a cylinder about that, where LIGGGHTS takes the speed as rad/s (fix_wall_gran.cpp).
+MotionDeck shear(const ScriptWall& wall, Words& words, const ScriptUnits& units) {
+  if (wall.shape.empty()) words.fail("shear is that of a primitive; a mesh has surface_vel");
   const std::string& along = words.word("the direction of the shear");
-  const double speed = words.number("the velocity of the shear") * units.speed();
-  if (along == "x") return {speed, 0.0, 0.0};
-  if (along == "y") return {0.0, speed, 0.0};
-  if (along == "z") return {0.0, 0.0, speed};
-  words.fail(fmt::format("shear along \"{}\"; x, y and z are known", along));
+  const double speed = words.number("the velocity of the shear");
+  if (along != "x" && along != "y" && along != "z") {
+    words.fail(fmt::format("shear along \"{}\"; x, y and z are known", along));
+  }
+  if (wall.shape.ends_with("plane") || wall.shape[0] == along[0]) {
+    return conveyor(speed * units.speed() * unit_along(along[0]));
+  }
+  if (wall.shape[0] == 'y') words.fail("a ycylinder does not spin in LIGGGHTS 3.8: its shear mixes x and z");
+  MotionDeck motion;
+  motion.type = MotionType::rotation;
+  motion.axis_origin = wall.point;
+  motion.axis_direction = wall.direction;
+  motion.angular_velocity = speed / units.time;
+  return motion;
 }
 
-/// fix wall/gran model ... primitive ... | mesh ...
+void read_wall_key(const std::string& key, ScriptWall& wall, Translation& to, Words& words) {
+  if (key == "shear") {
+    wall.shear = shear(wall, words, to.scene.units);
+  } else if (key == "temperature") {
+    wall.temperature = temperature(words);
+  } else if (key.starts_with("store_force")) {
+    words.word(key);
+  } else if (key == "contact_area" && words.take("overlap")) {
+    // as heat.conductance has it
+  } else if (const std::vector<std::string> rest = words.rest(); true) {
+    note_missing(to.scene, words.command(), fmt::format("\"{}\" of a wall", key));
+  }
+}
+
+/// fix wall/gran model ... primitive ... | mesh ...: the settings of the model follow the geometry.
 void wall(Translation& to, Words& words) {
   ScriptWall wall{.place = words.place(), .name = words.command().words[1], .model = read_model(words)};
   wall.from = to.scene.runs.size();
@@ -143,18 +189,9 @@ void wall(Translation& to, Words& words) {
     words.fail("a wall is a primitive or a mesh");
   }
   while (!words.at_end()) {
+    if (read_setting(words, wall.model)) continue;
     const std::string key = words.word("a key");
-    if (key == "shear") {
-      wall.surface_velocity = shear(words, to.scene.units);
-    } else if (key == "temperature") {
-      wall.temperature = temperature(words);
-    } else if (key.starts_with("store_force")) {
-      words.word(key);
-    } else if (key == "contact_area" && words.take("overlap")) {
-      // as heat.conductance has it
-    } else if (const std::vector<std::string> rest = words.rest(); true) {
-      note_missing(to.scene, words.command(), fmt::format("\"{}\" of a wall", key));
-    }
+    read_wall_key(key, wall, to, words);
   }
   to.scene.walls.push_back(std::move(wall));
 }

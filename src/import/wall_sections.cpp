@@ -7,13 +7,10 @@
 #include <fmt/core.h>
 
 #include "import/mesh_place.h"
+#include "import/wall_motions.h"
 
 namespace repose {
 namespace {
-
-const Vec3 unit_x{1.0, 0.0, 0.0};
-const Vec3 unit_y{0.0, 1.0, 0.0};
-const Vec3 unit_z{0.0, 0.0, 1.0};
 
 class WallWriter {
  public:
@@ -22,7 +19,7 @@ class WallWriter {
 
   WallNames write() {
     for (const ScriptWall& wall : scene_.walls) {
-      if (!is_ever_there(wall.from, wall.until)) continue;
+      if (!is_ever_there(scene_, wall.from, wall.until)) continue;
       if (!wall.shape.empty()) write_primitive(wall);
       for (const std::string& mesh : wall.meshes) write_mesh_wall(wall, mesh);
     }
@@ -30,13 +27,11 @@ class WallWriter {
       if (insertion.face.empty() || result_.faces.contains(insertion.face)) continue;
       write_face(insertion.face);
     }
-    note_motions_of_no_wall();
+    note_motions(scene_);
     return std::move(result_);
   }
 
  private:
-  bool is_ever_there(std::size_t from, std::size_t until) const { return from < std::min(until, scene_.runs.size()); }
-
   /// Head of a wall; returns its name.
   std::string begin(const std::string& wanted, const Place& place, const std::string& type, const std::string& material,
                     const ScriptWall* wall) {
@@ -50,12 +45,6 @@ class WallWriter {
     return name;
   }
 
-  void conveyor(const Vec3& velocity) {
-    deck_.section("[[wall.motion]]");
-    deck_.key("type", "conveyor");
-    deck_.key("velocity", velocity);
-  }
-
   void heat(std::optional<double> temperature) {
     if (!temperature || !scene_.heat) return;
     deck_.section("[wall.heat]");
@@ -65,24 +54,21 @@ class WallWriter {
 
   void write_primitive(const ScriptWall& wall) {
     const std::string& material = materials_.of_wall(wall, wall.type);
-    const char axis = wall.shape[0];
-    const Vec3& direction = axis == 'x' ? unit_x : axis == 'y' ? unit_y : unit_z;
     if (wall.shape.ends_with("plane")) {
       begin(wall.name, wall.place, "plane", material, &wall);
-      deck_.key("point", wall.numbers[0] * direction);
-      deck_.key("normal", direction);
+      deck_.key("point", wall.point);
+      deck_.key("normal", wall.direction);
     } else {
-      const auto [radius, c1, c2] = wall.numbers;
-      const double low = dot(domain_.min, direction);
-      const double high = dot(domain_.max, direction);
-      const Vec3 origin = axis == 'x' ? Vec3{0.0, c1, c2} : axis == 'y' ? Vec3{c1, 0.0, c2} : Vec3{c1, c2, 0.0};
+      const double low = dot(domain_.min, wall.direction);
+      const double high = dot(domain_.max, wall.direction);
       const double beyond = 0.01 * (high - low);
       begin(wall.name, wall.place, "profile", material, &wall);
-      deck_.key("points", std::vector<std::array<double, 2>>{{radius, low - beyond}, {radius, high + beyond}});
-      deck_.key("axis_origin", origin);
-      deck_.key("axis_direction", direction);
+      deck_.key("points",
+                std::vector<std::array<double, 2>>{{wall.radius, low - beyond}, {wall.radius, high + beyond}});
+      deck_.key("axis_origin", wall.point);
+      deck_.key("axis_direction", wall.direction);
     }
-    if (wall.surface_velocity) conveyor(*wall.surface_velocity);
+    for (const MeshMotion& moves : motions_of(wall)) write_motion(moves);
     heat(wall.temperature);
   }
 
@@ -115,13 +101,7 @@ class WallWriter {
     const ScriptMesh& mesh = scene_.meshes.at(name);
     begin(name, mesh.place, "mesh", materials_.of_wall(wall, mesh.type), &wall);
     place_mesh(mesh);
-    if (mesh.surface_velocity) conveyor(*mesh.surface_velocity);
-    if (mesh.surface_turn) write_motion(*mesh.surface_turn, mesh.place, 0, never_removed);
-    for (const MeshMotion& moves : scene_.motions) {
-      if (moves.mesh == name && is_ever_there(moves.from, moves.until)) {
-        write_motion(moves.motion, moves.place, moves.from, moves.until);
-      }
-    }
+    for (const MeshMotion& moves : motions_of(scene_, name)) write_motion(moves);
     heat(mesh.temperature);
   }
 
@@ -131,10 +111,13 @@ class WallWriter {
     place_mesh(mesh);
   }
 
-  void write_motion(const MotionDeck& motion, const Place& place, std::size_t from, std::size_t until) {
-    deck_.section("[[wall.motion]]", place);
+  void write_motion(const MeshMotion& moves) {
+    const MotionDeck& motion = moves.motion;
+    deck_.section("[[wall.motion]]", moves.place);
     deck_.key("type", motion.type);
-    if (motion.type == MotionType::translation) deck_.key("velocity", motion.velocity);
+    if (motion.type == MotionType::translation || motion.type == MotionType::conveyor) {
+      deck_.key("velocity", motion.velocity);
+    }
     if (motion.type == MotionType::oscillation) {
       deck_.key("amplitude", motion.amplitude);
       deck_.key("frequency", motion.frequency);
@@ -144,19 +127,11 @@ class WallWriter {
       deck_.key("axis_direction", motion.axis_direction);
       deck_.key("angular_velocity", motion.angular_velocity);
     }
-    const std::size_t end = std::min(until, scene_.runs.size());
-    if (from == 0 && end == scene_.runs.size()) return;
+    const std::size_t end = std::min(moves.until, scene_.runs.size());
+    if (moves.from == 0 && end == scene_.runs.size()) return;
     std::vector<std::string> phases;
-    for (std::size_t run = from; run < end; ++run) phases.push_back(phase_name(run));
+    for (std::size_t run = moves.from; run < end; ++run) phases.push_back(phase_name(run));
     deck_.key("phases", phases);
-  }
-
-  void note_motions_of_no_wall() {
-    for (const MeshMotion& moves : scene_.motions) {
-      if (!scene_.has_wall_of(moves.mesh)) {
-        scene_.needless.push_back({moves.place, "fix " + moves.name, fmt::format("mesh {} is no wall", moves.mesh)});
-      }
-    }
   }
 
   DeckText& deck_;

@@ -21,9 +21,9 @@ OURS_MM = 0.096  # deviation of a run of repose, from the same table
 
 
 class Import(FolderTest):
-    def make(self, *options, script=None):
+    def make(self, *options, script=None, folder="deck", ranks=0):
         done = self.program.call("import", script or os.path.join(self.program.source, "input/import/in.slump"),
-                                 "--output", self.path("deck"), *options)
+                                 "--output", self.path(folder), *options, ranks=ranks)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 
@@ -53,22 +53,22 @@ class Import(FolderTest):
         height = 1e3 * (np.sum(mass * z) / np.sum(mass) - np.min(z))
         mean, deviation = LIGGGHTS_HEIGHT_MM
         self.assertLess(abs(height - mean), 3 * (deviation**2 + OURS_MM**2) ** 0.5, height)
-        self.go_back(settling, deck)
+        self.go_back(settling)
 
-    def go_back(self, snapshot, deck):
+    def go_back(self, snapshot):
         """A dump as the start of the same script; H5MD has the same numbers."""
         dump = self.path("settling.dump")
         done = self.program.call("export", snapshot, "--format", "dump", "--output", dump)
         self.assertEqual(done.returncode, 0, done.stderr)
-        said = self.make("--dump", dump)
+        said = self.make("--dump", dump, folder="back")
         self.assertIn("fix ins: the grains of", said)
-        grains = np.genfromtxt(self.path("deck/grains.csv"), delimiter=",", names=True, dtype=None, encoding="utf8")
+        grains = np.genfromtxt(self.path("back/grains.csv"), delimiter=",", names=True, dtype=None, encoding="utf8")
         with h5py.File(snapshot) as file:
             particles = {name: file["particles"][name][...] for name in file["particles"]}
             time, step = float(file.attrs["time_s"]), int(file.attrs["step"])
         self.assertEqual([grains[c].tolist() for c in "xyz"], particles["position"].T.tolist())
         self.assertEqual(grains["radius"].tolist(), particles["radius"].tolist())
-        self.assertEqual(self.program.call("check", deck).returncode, 0)
+        self.assertEqual(self.program.call("check", self.path("back/slump.toml")).returncode, 0)
         path = self.path("settling.h5")
         done = self.program.call("export", snapshot, "--format", "h5md", "--output", path)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -80,7 +80,13 @@ class Import(FolderTest):
                 self.assertEqual(group[name]["time"][...].tolist(), [time])
                 self.assertTrue(np.array_equal(group[name]["value"][0], particles[name]), name)
             self.assertTrue(np.array_equal(group["mass"][...], particles["mass"]))
-            self.assertEqual(list(group["box"].attrs["boundary"]), ["none"] * 3)
+            box = group["box"].attrs
+            self.assertEqual((box.get_id("dimension").shape, box["dimension"]), ((), 3))
+            self.assertEqual((box["boundary"].dtype, box["boundary"].tolist()), ("S4", [b"none"] * 3))
+            for of, name in (("author", "name"), ("creator", "name"), ("creator", "version")):
+                text = file[f"h5md/{of}"].attrs.get_id(name)  # of a fixed length
+                self.assertEqual((text.shape, text.dtype.kind), ((), "S"), name)
+            self.assertNotIn("temperature", group)
             self.assertEqual(np.round(group["box/edges"][...], 12).tolist(), [0.2, 0.2, 0.121])
 
     def test_what_has_no_counterpart_is_listed_or_refused(self):
@@ -104,6 +110,18 @@ class Import(FolderTest):
             self.fails(2, message, "import", script, "--output", self.path("none"))
         self.fails(4, "in.nowhere: cannot", "import", self.path("in.nowhere"), "--output", self.path("none"))
         self.assertFalse(os.path.exists(self.path("none")))
+
+    def test_what_was_edited_stays(self):
+        said = self.make(ranks=2)
+        self.assertEqual(said.count("slump.toml"), 1, said)
+        self.assertEqual(self.make(), said)  # the same bytes
+        deck = self.path("deck/slump.toml")
+        with open(deck, "a") as file:
+            file.write("# mine\n")
+        self.fails(4, r"slump\.toml: is there already, with another content; name another folder", "import",
+                   os.path.join(self.program.source, "input/import/in.slump"), "--output", self.path("deck"))
+        with open(deck) as file:
+            self.assertTrue(file.read().endswith("# mine\n"))
 
     def test_variables_of_the_command_line(self):
         self.make("--var", "r=0.03", script=self.script(("equal 0.02 ", "index 0.02 ")))

@@ -31,12 +31,12 @@ def main():
     for folder in sys.argv[1:]:
         try:
             figure, name = draw(folder)
-        except repose.ReposeError as error:
+            for ending in ("png", "pdf"):
+                path = os.path.join(folder, f"{name}.{ending}")
+                figure.savefig(path, dpi=150)
+                print(path)
+        except (repose.ReposeError, OSError) as error:
             sys.exit(f"plot_calibration.py: {error}")
-        for ending in ("png", "pdf"):
-            path = os.path.join(folder, f"{name}.{ending}")
-            figure.savefig(path, dpi=150)
-            print(path)
 
 
 if __name__ == "__main__":

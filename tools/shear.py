@@ -29,13 +29,15 @@ def main():
     chosen = arguments.parse_args()
     output = chosen.output or chosen.runs[0]
     try:
+        if chosen.yield_locus and len(chosen.runs) < 2:
+            raise repose.ReposeError("--yield-locus needs the directories of several runs: a line goes through two points or more")
         tests = [Shear(repose.Run(run)) for run in chosen.runs]
         os.makedirs(output, exist_ok=True)
         results = {"runs": [{"normal_Pa": t.steady_normal, "shear_Pa": t.steady_shear, "friction_deg": t.friction_deg,
                              "peak_deg": t.peak_deg} for t in tests]}
         if len(tests) > 1:
             results["internal_friction_deg"], results["cohesion_Pa"] = steady_locus(tests)
-        if chosen.yield_locus and len(tests) > 1:
+        if chosen.yield_locus:
             results["yield_locus"] = yield_locus(tests)
         with open(os.path.join(output, "shear.json"), "w") as file:
             json.dump(results, file, indent=2)

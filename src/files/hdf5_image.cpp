@@ -1,5 +1,7 @@
 #include "files/hdf5_image.h"
 
+#include <algorithm>
+
 #include "files/hdf5_attribute.h"
 
 namespace repose {
@@ -49,9 +51,24 @@ void Hdf5Image::write_attribute(const std::string& object, const std::string& na
                   starts.data());
 }
 
+void Hdf5Image::write_attribute(const std::string& object, const std::string& name, std::int64_t value) {
+  write_attribute(object, name, H5T_NATIVE_INT64, space_of({}), &value);
+}
+
 void Hdf5Image::write_attribute(const std::string& object, const std::string& name,
                                 std::span<const std::int64_t> values) {
   write_attribute(object, name, H5T_NATIVE_INT64, space_of({values.size()}), values.data());
+}
+
+void Hdf5Image::write_fixed_texts(const std::string& object, const std::string& name,
+                                  std::span<const std::string> texts, const std::vector<std::uint64_t>& shape) {
+  std::size_t length = 1;  // HDF5 has no texts of length 0
+  for (const std::string& text : texts) length = std::max(length, text.size());
+  std::string bytes;
+  for (const std::string& text : texts) bytes += text + std::string(length - text.size(), '\0');
+  const Hdf5Type type = hdf5_text_type(length, H5T_CSET_ASCII);
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+  write_attribute(object, name, type.get(), space_of(shape), bytes.data());
 }
 
 void Hdf5Image::write_array(const std::string& dataset, hid_t type, const void* values,

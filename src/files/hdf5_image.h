@@ -17,7 +17,11 @@ class Hdf5Image {
   void create_group(const std::string& group);
   void write_attribute(const std::string& object, const std::string& name, const std::string& text);
   void write_attribute(const std::string& object, const std::string& name, std::span<const std::string> texts);
+  void write_attribute(const std::string& object, const std::string& name, std::int64_t value);
   void write_attribute(const std::string& object, const std::string& name, std::span<const std::int64_t> values);
+  /// Texts that all take the bytes of the longest, of this shape; no shape makes a scalar.
+  void write_fixed_texts(const std::string& object, const std::string& name, std::span<const std::string> texts,
+                         const std::vector<std::uint64_t>& shape);
   /// Values of an array of this shape in the order of rows; no shape makes a scalar.
   void write_array(const std::string& dataset, std::span<const double> values, const std::vector<std::uint64_t>& shape);
   void write_array(const std::string& dataset, std::span<const std::int64_t> values,

@@ -45,24 +45,31 @@ class Element {
   void write(const std::vector<Vec3>& vectors, const std::string& unit) {
     std::vector<double> values;
     for (const Vec3& v : vectors) append_vector(values, v);
-    file_.write_array(group_ + "/value", std::span<const double>(values), {1, vectors.size(), 3});
+    write(values, {1, vectors.size(), 3}, unit);
+  }
+  void write(const std::vector<double>& values, const std::string& unit) { write(values, {1, values.size()}, unit); }
+
+ private:
+  void write(std::span<const double> values, const std::vector<std::uint64_t>& shape, const std::string& unit) {
+    file_.write_array(group_ + "/value", values, shape);
     file_.write_attribute(group_ + "/value", "unit", unit);
   }
 
- private:
   Hdf5Image& file_;
   std::string group_;
 };
 
 void write_head(Hdf5Image& file) {
   const std::array<std::int64_t, 2> version = {1, 1};
+  const std::array name = {std::string("repose")};
+  const std::array program_version = {build_info("").version};
   file.create_group("/h5md");
   file.write_attribute("/h5md", "version", std::span<const std::int64_t>(version));
   file.create_group("/h5md/author");
-  file.write_attribute("/h5md/author", "name", std::string("repose"));
+  file.write_fixed_texts("/h5md/author", "name", name, {});
   file.create_group("/h5md/creator");
-  file.write_attribute("/h5md/creator", "name", std::string("repose"));
-  file.write_attribute("/h5md/creator", "version", build_info("").version);
+  file.write_fixed_texts("/h5md/creator", "name", name, {});
+  file.write_fixed_texts("/h5md/creator", "version", program_version, {});
 }
 
 void write_box(Hdf5Image& file, const DomainDeck& domain, const std::string& group) {
@@ -72,10 +79,9 @@ void write_box(Hdf5Image& file, const DomainDeck& domain, const std::string& gro
     boundary.emplace_back(is_periodic(domain, k) ? "periodic" : "none");
     edges.push_back(domain.max.*components.at(k) - domain.min.*components.at(k));
   }
-  const std::array<std::int64_t, 1> dimension = {3};
   file.create_group(group);
-  file.write_attribute(group, "dimension", std::span<const std::int64_t>(dimension));
-  file.write_attribute(group, "boundary", std::span<const std::string>(boundary));
+  file.write_attribute(group, "dimension", std::int64_t{3});
+  file.write_fixed_texts(group, "boundary", boundary, {3});
   file.write_array(group + "/edges", std::span<const double>(edges), {3});
   file.write_attribute(group + "/edges", "unit", std::string("m"));
 }
@@ -114,6 +120,7 @@ std::string h5md_bytes(const SnapshotParticles& snapshot) {
   Element(file, snapshot, group + "/position").write(p.position, "m");
   Element(file, snapshot, group + "/velocity").write(p.velocity, "m s-1");
   Element(file, snapshot, group + "/angular_velocity").write(p.spin, "s-1");
+  if (!p.temperature.empty()) Element(file, snapshot, group + "/temperature").write(p.temperature, "K");
   const std::vector<std::int64_t> species(p.material.begin(), p.material.end());
   file.write_array(group + "/id", std::span<const std::int64_t>(p.id), {p.size()});
   file.write_array(group + "/species", std::span<const std::int64_t>(species), {p.size()});

@@ -12,8 +12,8 @@ namespace repose {
 std::string dump_text(const SnapshotParticles& snapshot);
 
 /// Particles as an H5MD file (version 1.1, https://www.nongnu.org/h5md/h5md.html) with one step of the group
-/// /particles/grains: position, velocity, angular_velocity, and without time id, species, mass and radius; SI. These
-/// are the bytes of the file.
+/// /particles/grains: position, velocity, angular_velocity, in a run with heat temperature, and without time id,
+/// species, mass and radius; SI. These are the bytes of the file.
 std::string h5md_bytes(const SnapshotParticles& snapshot);
 
 }  // namespace repose

@@ -35,6 +35,7 @@ std::string vtp_text(const SnapshotParticles& snapshot) {
   text += "<PointData Scalars=\"radius\">\n" + data.array("id", p.id);
   text += data.array("velocity", 3, flat(p.velocity)) + data.array("angular_velocity", 3, flat(p.spin));
   text += data.array("radius", 1, p.radius) + data.array("mass", 1, snapshot.mass);
+  if (!p.temperature.empty()) text += data.array("temperature", 1, p.temperature);
   text += data.array("Int32", "material", 1, std::span<const int>(p.material)) + "</PointData>\n";
   text += "<Points>\n" + data.array("position", 3, flat(p.position)) + "</Points>\n";
   text += "<Verts>\n" + data.array("connectivity", vertices) + data.array("offsets", ends) + "</Verts>\n";

@@ -129,6 +129,7 @@ std::array<double, 3> quartiles(const Image& excess, const Columns& columns, con
 /// quartiles of the layer's brightness are others than the plate's.
 Line plate_edge(Line line, const Columns& columns, const Image& excess) {
   const double deepest = deepest_layer * -depths_below(line, columns).front();
+  if (!(deepest >= 1.0)) return line;  // a pile of less than four pixels, or none
   const std::array<double, 3> plate = quartiles(excess, columns, line, deepest);
   std::vector<double> off;  // at each depth, from the plate's quartiles
   for (double below = 0.0; below < deepest; below += 1.0) {

@@ -74,8 +74,8 @@ PixPointer decode(const std::string& bytes, const std::string& name) {
   const bool is_known =
       pixReadHeaderMem(begin_of(bytes), bytes.size(), &format, &width, &height, &bits, &samples, &has_map) == 0;
   const bool is_jpeg = format == IFF_JFIF_JPEG;
-  const bool is_tiff = format >= IFF_TIFF && format <= IFF_TIFF_ZIP;
-  if (!is_known || !(is_jpeg || is_tiff || format == IFF_PNG)) refuse(name, "is no picture that can be read");
+  if (!is_known || !(is_jpeg || L_FORMAT_IS_TIFF(format) || format == IFF_PNG))
+    refuse(name, "is no picture that can be read");
   if (static_cast<double>(width) * height > most_pixels) {
     refuse(name, fmt::format("has {} x {} pixels, more than {:.0f} million", width, height, 1e-6 * most_pixels));
   }

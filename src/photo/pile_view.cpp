@@ -19,7 +19,14 @@ constexpr double most_roughness = 0.08;  // deviation of the outline from its li
 constexpr double most_threshold_deg = 0.5;
 constexpr double steepest_deg = 80.0;
 
-double scale_of(const PhotoDeck& deck, const Level& level, const std::string& name) {
+/// How much smaller the camera sees what is at the plate's edge than what is in the plane of the axis.
+double size_at_edge(const PhotoDeck& deck, const AngleOfReposeParameters& parameters) {
+  return 1.0 / (1.0 + deck.pile.edge_behind_axis / parameters.camera_distance);
+}
+
+/// px/m in the plane of the axis.
+double scale_of(const PhotoDeck& deck, const AngleOfReposeParameters& parameters, const Level& level,
+                const std::string& name) {
   if (const auto given = pixels_per_metre(deck.scale)) return *given;
   if (!level.plate_pixels) {
     throw DeckError(
@@ -27,14 +34,12 @@ double scale_of(const PhotoDeck& deck, const Level& level, const std::string& na
                     "or bar_from and bar_to with bar_length",
                     name));
   }
-  return *level.plate_pixels / deck.scale.plate_width;
+  return *level.plate_pixels / (deck.scale.plate_width * size_at_edge(deck, parameters));
 }
 
 /// By how much the plate's edge that is seen lies above the plate in the plane of the axis, in the picture (m).
 double rise_of_edge(const PhotoDeck& deck, const AngleOfReposeParameters& parameters) {
-  if (std::isinf(parameters.camera_distance)) return 0.0;
-  const double scale = 1.0 / (1.0 + deck.pile.edge_behind_axis / parameters.camera_distance);
-  return (1.0 - scale) * (parameters.camera_height - parameters.plate_height);
+  return (1.0 - size_at_edge(deck, parameters)) * (parameters.camera_height - parameters.plate_height);
 }
 
 void check_extent(const Extent& extent, const std::string& name) {
@@ -90,7 +95,7 @@ PileView measure_pile(const Image& image, const PhotoDeck& deck, const AngleOfRe
                       const std::string& name) {
   const Subject subject = find_subject(image, deck, Ground::above, name);
   Level level = find_level(subject, deck, name);
-  const double scale = scale_of(deck, level, name);
+  const double scale = scale_of(deck, parameters, level, name);
   level.base_row += scale * rise_of_edge(deck, parameters);
   const Extent first = extent_of(level, rough_threshold(subject));
   check_extent(first, name);

@@ -9,7 +9,9 @@ import re
 import subprocess
 import sys
 
+import h5py
 import numpy as np
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from repose_runs import Program, SharedFolderTest
 
@@ -166,6 +168,31 @@ class Heat(SharedFolderTest):
         _, conductivity = self.network(snapshot, float(places[36, 2] + 0.5 * spacing_z), float(places[-36, 2] - 0.5 * spacing_z),
                                        "pressure=1e-30", "max_gap=0", solid=solid)
         self.assertAlmostEqual(flux["hot"] / gradient / conductivity, 1.0, delta=1e-9)
+
+    def test_exports_have_the_temperatures(self):
+        deck = self.deck("exported.toml", 1.0, 20000, "")
+        for k, temperature in enumerate((310.0, 350.0)):
+            place = (0.3e-3, 0.3e-3, (k + 1) * 5e-3)  # alone: it keeps its temperature
+            self.append(deck, BLOCK.format(file=self.grains(f"alone_{k}.csv", [place]), temperature=temperature, isothermal="false"))
+        self.program.run(deck, self.path("exported"))
+        snapshot = self.last_snapshot("exported")
+        expected = snapshot["temperature"].tolist()
+        self.assertEqual([round(value, 6) for value in expected], [310.0, 350.0])
+        for form in ("vtp", "h5md"):
+            done = self.program.call("export", str(snapshot.path), "--format", form, "--output", self.path(f"exported.{form}"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(self.path("exported.vtp"))
+        reader.Update()
+        array = reader.GetOutput().GetPointData().GetArray("temperature")
+        self.assertEqual([array.GetValue(k) for k in range(2)], expected)
+        with h5py.File(self.path("exported.h5md")) as file:
+            temperature = file["particles/grains/temperature"]
+            self.assertEqual(temperature["value"][...].tolist(), [expected])
+            self.assertEqual(temperature["time"][...].tolist(), [snapshot.time_s])
+            self.assertEqual(temperature["value"].attrs["unit"], "K")
+            boundary = file["particles/grains/box"].attrs["boundary"]
+            self.assertEqual((boundary.dtype, boundary.tolist()), ("S8", [b"periodic", b"periodic", b"none"]))
 
     def test_pictures_of_heat(self):
         run = self.path("settled_for_pictures")

@@ -222,6 +222,9 @@ class OneState(Photographs):
             self.assertAlmostEqual(found["angle_of_repose_left_deg"], upright, delta=0.1, msg=orientation)
         found = self.lab.photo("pile", picture, scale, encoding="tiff")["photographs"][0]
         self.assertEqual(found["angle_of_repose_left_deg"], upright)
+        compressed = photographer.encoded(picture, "tiff", compression="jpeg", quality=92)
+        found = self.lab.photo("pile", compressed, scale, encoding="tiff")["photographs"][0]
+        self.assertAlmostEqual(found["angle_of_repose_left_deg"], upright, delta=0.1)
 
     def test_views_that_measure_draws_are_photographs(self):
         output = os.path.join(self.lab.directory, "views")

@@ -167,8 +167,9 @@ def _blurred(picture, sigma):
     return picture
 
 
-def encoded(picture, kind, orientation=1):
-    """The bytes of a photograph: "jpeg", "png" or "tiff"; `orientation` as in EXIF, by which it is turned beforehand."""
+def encoded(picture, kind, orientation=1, **options):
+    """The bytes of a photograph: "jpeg", "png" or "tiff", for the last two with options of Pillow; `orientation` as in EXIF,
+    by which it is turned beforehand."""
     grey = np.rint(255.0 * picture).astype(np.uint8)
     turned = {1: grey, 3: grey[::-1, ::-1], 6: np.rot90(grey, 1), 8: np.rot90(grey, -1)}[orientation]
     image = Image.fromarray(np.ascontiguousarray(turned))
@@ -178,5 +179,5 @@ def encoded(picture, kind, orientation=1):
         exif[0x0112] = orientation
         image.convert("RGB").save(out, "JPEG", quality=92, exif=exif)
     else:
-        image.save(out, kind.upper())
+        image.save(out, kind.upper(), **options)
     return out.getvalue()

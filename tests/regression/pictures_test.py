@@ -9,6 +9,7 @@ import os
 import subprocess
 import sys
 import unittest
+from types import SimpleNamespace
 
 import matplotlib.image
 import numpy as np
@@ -66,6 +67,30 @@ class Pictures(SharedFolderTest):
         done = self.tool("plot_run.py", begun, "--output", output)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(sorted(os.listdir(output)), ["energies.pdf", "energies.png"])
+
+    def test_walls_go_in_a_phase_too_short_for_a_row(self):
+        from repose.plots.course import is_present
+        series = {"time_s": np.array([0.0, 1.0, 2.0, 3.0]), "phase": np.array([0.0, 0.0, 2.0, 2.0])}
+        deck = {"phase": [{"name": "settle"}, {"name": "open", "remove_walls": ["lid"]},
+                          {"name": "discharge", "add_walls": ["gate"]}]}
+        for wall, present in (({"name": "lid"}, [True, True, True, False]),
+                              ({"name": "gate", "present": False}, [False, False, False, True])):
+            self.assertEqual(is_present(wall, series["time_s"], series, deck).tolist(), present, wall["name"])
+
+    def test_the_weight_is_that_of_all_grains_that_were_poured(self):
+        from repose.plots.course import weight_of_grains
+
+        class Grains(list):
+            mass = property(np.array)
+
+        run = SimpleNamespace(snapshots=[Grains([1.0]), Grains([1.0, 2.0]), Grains([2.0])], deck={"gravity": [0.0, 0.0, -10.0]})
+        self.assertEqual(weight_of_grains(run), 30.0)
+        self.assertIsNone(weight_of_grains(SimpleNamespace(snapshots=[])))
+
+    def test_a_yield_locus_takes_several_runs(self):
+        done = self.tool("shear.py", "--yield-locus", self.run_folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"^shear.py: --yield-locus needs .*\n$")
 
     def test_a_folder_that_is_no_run(self):
         done = self.tool("plot_run.py", self.folder)

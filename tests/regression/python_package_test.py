@@ -67,6 +67,14 @@ class Package(SharedFolderTest):
         self.assertEqual(error.code, 4)
         self.raises("cannot be started", repose.run, "a.toml", self.path("none"), program=self.path("nobody"))
 
+    def test_a_warning_is_not_what_fails(self):
+        killed = self.path("killed")
+        with open(killed, "w") as file:
+            file.write("#!/bin/sh\necho 'repose: warning: the time step is long' >&2\nexit 137\n")
+        os.chmod(killed, 0o755)
+        error = self.raises("^ended with exit code 137$", repose.run, "a.toml", self.path("none"), program=killed)
+        self.assertEqual(error.code, 137)
+
     def test_the_program_is_found(self):
         before = dict(os.environ)
         self.addCleanup(lambda: (os.environ.clear(), os.environ.update(before)))
@@ -113,10 +121,11 @@ class Package(SharedFolderTest):
             lines = source.read().splitlines()
         with open(os.path.join(begun, "deck.resolved.toml"), "w") as file:
             file.write(deck)
-        with open(os.path.join(begun, "series.csv"), "w") as file:
-            file.write("\n".join(lines[:3]) + "\n" + lines[3][:9])
         run = repose.Run(begun)
-        self.assertEqual(run.series.rows, 2)
+        for written in (lines[3][:9], lines[3][:-1]):
+            with open(os.path.join(begun, "series.csv"), "w") as file:
+                file.write("\n".join(lines[:3]) + "\n" + written)
+            self.assertEqual(run.series.rows, 2)
         self.assertFalse(run.is_complete)
         self.raises("has no summary.json: the run is not complete", lambda: run.summary)
         progress = run.progress
@@ -231,6 +240,11 @@ class Package(SharedFolderTest):
         self.assertIsNone(calibration.search)
         marks = {line.get_gid() for axes in repose.plots.calibration(calibration).axes for line in axes.lines}
         self.assertLessEqual({f"run-{row}-{row + 1}" for row in range(0, len(rows), 2)}, marks)
+        os.mkdir(os.path.join(output, "calibration.png"))  # in the way of the picture
+        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), output],
+                               capture_output=True, text=True)
+        self.assertEqual(drawn.returncode, 1)
+        self.assertRegex(drawn.stderr, "^plot_calibration.py: .*calibration.png.*\n$")
         os.remove(os.path.join(output, "estimate.json"))
         self.raises("has no estimate.json", lambda: repose.Calibration(output).estimate)
 

@@ -252,6 +252,9 @@ class Report(SharedFolderTest):
                                    (float("nan"), None, "none"),
                                    (6.455e-6, None, "6.455 · 10⁻⁶")):
             self.assertEqual(numbers.with_error(value, error), text)
+        for value, error, text in ((7e-14, 3e-14, ">7.0 · 10⁻¹⁴<"), (-1.7e-13, 3e-14, ">−1.70 · 10⁻¹³<"),
+                                   (0.40641, 0.0427, ">0.406<"), (6.455e-6, None, ">6.455 · 10⁻⁶<"), (None, 1.0, ">none<")):
+            self.assertIn(text, numbers.beside("rolling", value, error))
         self.assertIn('value="0.000271"', numbers.figure("discharged_mass_kg", 0.000271))
         self.assertIn(">0.2710 g<", numbers.figure("discharged_mass_kg", 0.000271))
 

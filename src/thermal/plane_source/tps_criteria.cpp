@@ -24,7 +24,7 @@ double greatest_jump(const std::vector<double>& residual, double rise) {
   return greatest / std::max(*middle / normal_median, 1e-7 * rise);
 }
 
-Criterion drift(const Transient& t, const TpsLimits& limits) {
+Criterion drift(const Transient& t, const TpsSetup& setup, const TpsLimits& limits) {
   Criterion c{
       "drift",
       false,
@@ -40,7 +40,7 @@ Criterion drift(const Transient& t, const TpsLimits& limits) {
                                     static_cast<double>(t.idle_time.size() - 1);
   if (recorded < limits.drift_duration * (1.0 - 1e-9)) return c;
   const Slope slope = slope_of(t.idle_time, t.idle_rise);
-  c.value = std::abs(slope.value) * t.time.back() / std::abs(t.rise.back());
+  c.value = std::abs(slope.value) * used(t.time, setup).back() / std::abs(used(t.rise, setup).back());
   const double significant = student_quantile(0.9995, static_cast<double>(t.idle_time.size()) - 2.0);
   c.is_met = *c.value <= limits.max_drift || std::abs(slope.value) <= significant * slope.standard_error;
   return c;
@@ -90,10 +90,10 @@ double runs_deviate(const std::vector<double>& residual) {
 
 std::vector<Criterion> check_criteria(const Transient& transient, const TpsSetup& setup, const TpsFit& fit,
                                       const TpsLimits& limits) {
-  const double rise = transient.rise.back();
-  const double end = transient.time[transient.time.size() - 1 - setup.last];
+  const double rise = used(transient.rise, setup).back();
+  const double end = used(transient.time, setup).back();
   std::vector<Criterion> all;
-  all.push_back(drift(transient, limits));
+  all.push_back(drift(transient, setup, limits));
   all.push_back(at_most("continuity", greatest_jump(fit.residual, rise), limits.max_jump,
                         fmt::format("no step between residuals above {} standard deviations", limits.max_jump)));
   all.push_back({"total_rise", rise >= limits.min_rise && rise <= limits.max_rise, rise,
@@ -113,9 +113,9 @@ std::vector<Criterion> check_criteria(const Transient& transient, const TpsSetup
   all.push_back(not_below("residual_pattern", runs_deviate(fit.residual), limits.min_runs_deviate,
                           fmt::format("deviate of the number of runs at least {}", limits.min_runs_deviate)));
   if (!transient.power.empty()) {
-    const double mean = mean_of(transient.power);
     double furthest = 0.0;
-    for (const double p : transient.power) furthest = std::max(furthest, std::abs(p / mean - 1.0));
+    for (const double p : std::span(transient.power).first(transient.power.size() - setup.last))
+      furthest = std::max(furthest, std::abs(p / setup.power - 1.0));
     all.push_back(at_most("constant_power", furthest, limits.max_power_deviation,
                           fmt::format("within {} of its mean", limits.max_power_deviation)));
   }

@@ -33,7 +33,8 @@ struct Criterion {
 };
 
 /// Each criterion of section 5.2, in a fixed order: drift, continuity, total_rise, contact_left_out, points_used,
-/// straight_line, probing_depth, mean_deviation, residual_pattern, and constant_power when the power was recorded.
+/// straight_line, probing_depth, mean_deviation, residual_pattern, and constant_power when the power was recorded. What
+/// comes after the last point that is used counts for none of them.
 std::vector<Criterion> check_criteria(const Transient& transient, const TpsSetup& setup, const TpsFit& fit,
                                       const TpsLimits& limits);
 

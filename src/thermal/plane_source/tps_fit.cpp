@@ -1,5 +1,6 @@
 #include "thermal/plane_source/tps_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -17,10 +18,12 @@ class Line {
  public:
   Line(const Transient& transient, const TpsSetup& setup, const SourceFunction& source)
       : source_(source), radius_(setup.radius) {
-    const auto begin = static_cast<std::ptrdiff_t>(setup.first);
-    const auto end = std::ssize(transient.time) - static_cast<std::ptrdiff_t>(setup.last);
-    time_ = Eigen::Map<const Eigen::VectorXd>(transient.time.data() + begin, end - begin);
-    rise_ = Eigen::Map<const Eigen::VectorXd>(transient.rise.data() + begin, end - begin);
+    const auto vector_of = [&](const std::vector<double>& values) {
+      const std::span<const double> points = used(values, setup);
+      return Eigen::Map<const Eigen::VectorXd>(points.data(), std::ssize(points));
+    };
+    time_ = vector_of(transient.time);
+    rise_ = vector_of(transient.rise);
   }
 
   /// Columns 1, D and dD/dln(alpha) at the points for the logarithm of the diffusivity.
@@ -130,13 +133,17 @@ Estimate estimate(double value, double log_variance, double t) {
 }
 
 void check(const Transient& transient, const TpsSetup& setup, const std::string& name) {
-  const std::size_t used = transient.time.size() - std::min(transient.time.size(), setup.first + setup.last);
-  if (used >= min_fit_points) return;
+  if (used(transient.time, setup).size() >= min_fit_points) return;
   throw DeckError(fmt::format("{}: {} points after time 0, of which {} are left out; at least {} must remain", name,
                               transient.time.size(), setup.first + setup.last, min_fit_points));
 }
 
 }  // namespace
+
+std::span<const double> used(const std::vector<double>& values, const TpsSetup& setup) {
+  const std::size_t end = values.size() - std::min(values.size(), setup.last);
+  return std::span(values).first(end).subspan(std::min(end, setup.first));
+}
 
 TpsFit fit_transient(const Transient& transient, const TpsSetup& setup, const SourceFunction& source,
                      const std::string& name) {

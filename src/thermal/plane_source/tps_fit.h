@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,15 @@ struct Estimate {
 /// What a fit needs beside the transient.
 struct TpsSetup {
   double radius = 0.0;            ///< of the sensor, m
-  double power = 0.0;             ///< W
+  double power = 0.0;             ///< W, mean over the points that are used
   double power_deviation = 0.0;   ///< relative standard deviation of the power
   double radius_deviation = 0.0;  ///< and of the radius
   std::size_t first = 10;         ///< points left out at the beginning
   std::size_t last = 0;           ///< and at the end
 };
+
+/// The values of the points that are used; none when more are left out than there are.
+std::span<const double> used(const std::vector<double>& values, const TpsSetup& setup);
 
 /// The straight line of the rise over D(tau), and what follows from it.
 struct TpsFit {

@@ -25,18 +25,18 @@ Json json_of(const Criterion& c) {
 }
 
 TpsSetup setup_of(const TpsDeck& deck, const Transient& transient, const std::string& name) {
-  double power = deck.evaluation.power;
+  TpsSetup setup{.radius = deck.sensor.radius,
+                 .power = deck.evaluation.power,
+                 .power_deviation = deck.evaluation.power_deviation,
+                 .radius_deviation = deck.sensor.radius_deviation,
+                 .first = static_cast<std::size_t>(deck.evaluation.first),
+                 .last = static_cast<std::size_t>(deck.evaluation.last)};
   if (!transient.power.empty()) {
-    power = mean_of(transient.power);
-  } else if (power <= 0.0) {
+    setup.power = mean_of(used(transient.power, setup));  // where none are used fit_transient refuses them
+  } else if (setup.power <= 0.0) {
     throw DeckError(fmt::format("{}: has no column power, and the deck no evaluation.power; give one", name));
   }
-  return {.radius = deck.sensor.radius,
-          .power = power,
-          .power_deviation = deck.evaluation.power_deviation,
-          .radius_deviation = deck.sensor.radius_deviation,
-          .first = static_cast<std::size_t>(deck.evaluation.first),
-          .last = static_cast<std::size_t>(deck.evaluation.last)};
+  return setup;
 }
 
 Json evaluate(const TpsDeck& deck, const SourceFunction& source, const DataFile& file) {

@@ -1,6 +1,7 @@
 """Files of the program: JSON, tables (CSV), decks (TOML)."""
 
 import csv
+import io
 import json
 import pathlib
 import tomllib
@@ -62,12 +63,9 @@ def read_toml(path):
 def read_rows(path):
     """The fields of a CSV as texts: names of the columns, rows. The last row of a file that grows may not be whole yet
     and is left out then."""
-    try:
-        with open(path, newline="", encoding="utf-8") as file:
-            names, *rows = list(csv.reader(file)) or [[]]
-    except (OSError, UnicodeDecodeError) as error:
-        raise ReposeError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
-    if rows and len(rows[-1]) < len(names):
+    text = read_text(path)
+    names, *rows = list(csv.reader(io.StringIO(text))) or [[]]
+    if rows and not text.endswith("\n"):
         rows.pop()
     if any(len(row) != len(names) for row in rows):
         raise ReposeError(f"{path}: is damaged: a row has not {len(names)} fields, as the first line has")

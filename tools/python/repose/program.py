@@ -46,7 +46,7 @@ def value_text(value):
 
 def call(arguments, ranks=1, program=None, mpirun="mpirun"):
     """Runs `repose` with arguments; what it prints. `mpirun` starts it on several ranks. A failure raises ReposeError
-    with the program's one line and its exit code."""
+    with the program's one line, which no warning is, and its exit code."""
     launcher = [mpirun, "-n", str(ranks)] if ranks > 1 else []
     command = [*launcher, program or find_program(), *arguments]
     command = [os.fspath(word) for word in command]
@@ -55,7 +55,7 @@ def call(arguments, ranks=1, program=None, mpirun="mpirun"):
     except OSError as error:
         raise ReposeError(f"{command[0]}: cannot be started: {error.strerror}") from None
     if done.returncode != 0:
-        said = done.stderr.strip().splitlines()
+        said = [line for line in done.stderr.strip().splitlines() if not line.startswith("repose: warning: ")]
         own = [line for line in said if line.startswith("repose: ")]
         line = (own or said or [f"ended with exit code {done.returncode}"])[-1]
         raise ReposeError(line.removeprefix("repose: "), done.returncode)

@@ -3,6 +3,7 @@
 Planes have no end: they are cut at the sides of the domain. For ParaView (tools/open_in_paraview.py); needs nothing but
 Python.
 """
+import itertools
 import math
 import os
 import struct
@@ -133,7 +134,7 @@ def vtp_of(points, polygons):
     def rows(values):
         return "\n".join(" ".join(f"{x!r}" for x in row) for row in values)
 
-    ends = [sum(len(p) for p in polygons[:k + 1]) for k in range(len(polygons))]
+    ends = list(itertools.accumulate(len(p) for p in polygons))
     return (f'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">\n<PolyData>\n'
             f'<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" '
             f'NumberOfPolys="{len(polygons)}">\n<Points>\n'

@@ -11,36 +11,34 @@ MOST_STEPS = 1000  # of the rate: a picture shows no more
 
 
 def weight_of_grains(run):
-    """N, of the grains in the first snapshot; None without one."""
-    paths = run.snapshot_paths
-    if not paths:
-        return None
-    from repose.snapshot import Snapshot
-    return float(Snapshot(paths[0]).mass.sum() * np.linalg.norm(run.deck["gravity"]))
+    """N, of the grains in the snapshot that has the most of them; None without one."""
+    fullest = max(run.snapshots, key=len, default=None)
+    return None if fullest is None else float(fullest.mass.sum() * np.linalg.norm(run.deck["gravity"]))
 
 
 def phase_begins(series):
-    """Time of the first row of each phase that has begun."""
-    return {int(phase): time for phase, time in zip(series["phase"][::-1], series["time_s"][::-1])}
+    """Time of the first row of each phase that has begun; of one too short for a row that of the next phase."""
+    phases = np.arange(series["phase"][-1] + 1)
+    return series["time_s"][np.searchsorted(series["phase"], phases)]
 
 
 def is_present(wall, times, series, deck):
     """At each time: walls come and go as phases begin."""
     present = np.full(len(times), wall.get("present", True))
-    for phase, begin in sorted(phase_begins(series).items()):
+    for phase, begin in zip(deck["phase"], phase_begins(series)):
         for key, value in (("remove_walls", False), ("add_walls", True)):
-            if wall["name"] in deck["phase"][phase].get(key, ()):
+            if wall["name"] in phase.get(key, ()):
                 present[times > begin] = value
     return present
 
 
 def mark_phases(axes, series, deck):
     """A line where a phase begins, with its name behind it."""
-    names = [phase["name"] for phase in deck["phase"]]
-    for phase, begin in sorted(phase_begins(series).items()):
-        if phase > 0:
+    names = {begin: phase["name"] for phase, begin in zip(deck["phase"], phase_begins(series))}
+    for begin, name in names.items():
+        if begin > series["time_s"][0]:
             axes.axvline(begin, color="0.55", linewidth=0.8, linestyle=":")
-        axes.annotate(names[phase], (begin, 1.0), xycoords=("data", "axes fraction"), xytext=(3, 2),
+        axes.annotate(name, (begin, 1.0), xycoords=("data", "axes fraction"), xytext=(3, 2),
                       textcoords="offset points", fontsize=7.5, color="0.35")
 
 

@@ -74,7 +74,8 @@ def signed(value, digits=2):
 
 def beside(name, value, error):
     """A number to as many digits as one with this error has, without it."""
-    return data(with_error(value, error).split(" ±")[0].lstrip("("), value, f"{name} = {value!r}")
+    head, _, tail = with_error(value, error).partition(" ±")
+    return data(head.lstrip("(") + tail.partition(")")[2], value, f"{name} = {value!r}")
 
 
 def number(name, value, error=None):

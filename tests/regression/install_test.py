@@ -107,7 +107,7 @@ class Install(unittest.TestCase):
         for name in sorted(os.listdir(os.path.join(self.source, "tools"))):
             if name.endswith(".py"):
                 self.assertTrue(os.access(self.path("share/repose/tools", name), os.X_OK), name)
-        for name in ("README.md", "LICENSE", "docs/user-guide.md"):
+        for name in ("README.md", "LICENSE", "docs/user-guide.md", "docs/pictures/discharge.png"):
             self.assertTrue(os.path.exists(self.path("share/doc/repose", name)), name)
 
     def test_the_python_package_is_there(self):

@@ -4,6 +4,7 @@
 import argparse
 import json
 import pathlib
+import shutil
 import statistics
 import subprocess
 import sys
@@ -209,6 +210,7 @@ def balance(args):
         ranks, sets = ways[name]
         output = folder / name
         if not (output / "summary.json").exists():
+            shutil.rmtree(output, ignore_errors=True)  # half of a run has no time of its own
             states.repose.run(args.deck, output, set=[*args.set, *sets], ranks=ranks, program=args.program)
         kept[name] = summary_in(output)
     if len({summary["state_hash"] for summary in kept.values()}) != 1:

@@ -49,7 +49,7 @@ class Bed:
         self.half = max(0.5 * math.sqrt(self.volume / (SOLID * depth)), 0.75 * self.ball)
         self.loose = max(self.volume / (LOOSE * (2 * self.half) ** 2), 1.5 * self.largest)
 
-    def run(self, output, blocks, phase, ranks=1, more=()):
+    def run(self, output, blocks, phase, ranks=1, more=(), restart=False):
         """The summary of a run; blocks and phase are texts of a deck."""
         self.folder.mkdir(parents=True, exist_ok=True)
         deck = self.folder / f"{output}.toml"
@@ -60,13 +60,14 @@ class Bed:
         sets = [f"domain.min=[{-2 * h}, {-2 * h}, -1e-3]", f"domain.max=[{2 * h}, {2 * h}, {top}]",
                 f"wall.x_low.point=[{-h}, 0.0, 0.0]", f"wall.x_high.point=[{h}, 0.0, 0.0]",
                 f"wall.y_low.point=[0.0, {-h}, 0.0]", f"wall.y_high.point=[0.0, {h}, 0.0]", *more]
-        return repose.run(deck, self.folder / output, set=sets, ranks=ranks, program=self.program).summary
+        return repose.run(deck, self.folder / output, set=sets, ranks=ranks, program=self.program,
+                          restart=restart).summary
 
     def settle(self, output, blocks):
         # The guard is raised: a large grain that falls on small ones presses into them while the bed settles.
         energy = 3592.0 * self.volume / self.size * 1e-7  # 1e-7 J/kg
         self.run(output, blocks, f'\n[[phase]]\nname = "settle"\nuntil = "kinetic_energy"\nkinetic_energy = {energy}\n'
-                 'min_time = 0.05\nmax_time = 0.3\n', more=["guards.max_overlap=0.5"])
+                 'min_time = 0.05\nmax_time = 0.3\n', more=["guards.max_overlap=0.5"], restart=True)
         repose.Run(self.folder / output).snapshot_paths[0].rename(self.folder / f"{output}.hdf")
 
     def make(self):

@@ -43,7 +43,7 @@ def repose(program, scene, phases, tilted=False):
 
 def run(program, deck, output, overrides):
     """`program` is a list: repose, or mpirun and its options before it."""
-    subprocess.run(["nice", *program, "run", deck, "--output", output, *set_options(overrides)], check=True)
+    subprocess.run(["nice", *program, "run", deck, "--output", output, "--restart", *set_options(overrides)], check=True)
 
 
 def settled(work, program, size, sizes):

@@ -106,13 +106,13 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
   const std::string text = read_shared_file(world, request.deck);
   const CalibrationDeck deck = read_deck_and_curves(world, text, request.deck);
   const StudyDirectory directory(world, request.output);
+  CalibrationWork work(world, deck, text, request, stop_asked);
   std::optional<LiveReport> live;
   agree_after_root(world, [&] {
-    CalibrationWork(world, deck, text, request, {}, nullptr).check(first_points(deck));
+    work.check(first_points(deck));
     write_copies(deck, text, request);
-    if (!report_file.empty()) live.emplace(request.output, report_file, request.log);
+    if (!report_file.empty()) work.renew(live.emplace(request.output, report_file, request.log));
   });
-  CalibrationWork work(world, deck, text, request, stop_asked, live ? &*live : nullptr);
   const auto done = deck.adaptive.enabled ? search(deck, work) : work.at(first_points(deck));
   std::string report;
   agree_after_root(world, [&] {
@@ -128,7 +128,7 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
 std::string check_calibration(const Communicator& world, const RunRequest& request) {
   const std::string text = read_shared_file(world, request.deck);
   const CalibrationDeck deck = read_deck_and_curves(world, text, request.deck);
-  const CalibrationWork work(world, deck, text, request, {}, nullptr);
+  const CalibrationWork work(world, deck, text, request, {});
   std::string report;
   agree_after_root(world, [&] {
     report = work.planned(first_points(deck));

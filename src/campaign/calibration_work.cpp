@@ -27,13 +27,12 @@ CampaignPlan plan_of_levels(const CalibrationDeck& deck, const std::string& text
 }  // namespace
 
 CalibrationWork::CalibrationWork(const Communicator& world, const CalibrationDeck& deck, const std::string& text,
-                                 const RunRequest& request, const StopAsked& stop_asked, LiveReport* report)
+                                 const RunRequest& request, const StopAsked& stop_asked)
     : world_(world),
       deck_(deck),
       overrides_(request.overrides),
       stop_asked_(stop_asked),
       plan_(plan_of_levels(deck, text, request)) {
-  plan_.report = report;
   plan_.check_run = [&deck](const std::string& folder, const StudyRun& run) { check_curves(deck, folder, run); };
 }
 

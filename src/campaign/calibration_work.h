@@ -24,9 +24,12 @@ struct DoneRuns {
 class CalibrationWork {
  public:
   /// Refers to its arguments. `request` names the calibration deck, whose text is given, and the directory; its
-  /// overrides are of all base decks. `report`: to be renewed meanwhile; may be null.
+  /// overrides are of all base decks.
   CalibrationWork(const Communicator& world, const CalibrationDeck& deck, const std::string& text,
-                  const RunRequest& request, const StopAsked& stop_asked, LiveReport* report);
+                  const RunRequest& request, const StopAsked& stop_asked);
+
+  /// A report to be renewed while runs go on. For rank 0.
+  void renew(LiveReport& report) { plan_.report = &report; }
 
   /// Whether the runs at these points can be in the directory. For rank 0. DeckError, FileError.
   void check(std::span<const LevelPoint> points) const;

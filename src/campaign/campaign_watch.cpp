@@ -65,10 +65,12 @@ std::string CampaignWatch::left_text(std::span<const RunRecord> records) const {
   double done = 0.0;
   double left = 0.0;
   for (const std::vector<std::size_t>& part : parts_) {
-    for (const std::size_t run : part) {
-      const bool has_ended = records[run].state != RunState::waiting && records[run].state != RunState::running;
-      (has_ended ? done : left) += work_[run];
-    }
+    for (const std::size_t run : part) left += work_[run];
+  }
+  for (const std::size_t run : drawn_runs()) {
+    if (!is_complete(records[run].state) && records[run].reason.empty()) continue;
+    left -= work_[run];
+    done += work_[run];
   }
   return done > 0.0 ? fmt::format(", {} left", duration_text(seconds_since(start_) * left / done)) : "";
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "files/atomic_file.h"
 #include "files/hdf5_file.h"

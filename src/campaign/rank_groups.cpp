@@ -14,12 +14,6 @@ std::vector<std::vector<std::size_t>> by_ranks(std::span<const std::size_t> orde
   return result;
 }
 
-std::int64_t run_count(std::span<const std::vector<std::size_t>> parts) {
-  std::int64_t count = 0;
-  for (const std::vector<std::size_t>& part : parts) count += std::ssize(part);
-  return count;
-}
-
 int group_count(int ranks, std::int64_t ranks_per_run, std::int64_t runs) {
   return static_cast<int>(std::max<std::int64_t>(1, std::min(ranks / ranks_per_run, runs)));
 }

@@ -11,9 +11,6 @@ namespace repose {
 /// An order of runs in parts that want the same number of ranks, the fewest first; within a part as they were.
 std::vector<std::vector<std::size_t>> by_ranks(std::span<const std::size_t> order, std::span<const StudyRun> runs);
 
-/// How many runs are in all parts.
-std::int64_t run_count(std::span<const std::vector<std::size_t>> parts);
-
 /// How many groups of at least `ranks_per_run` ranks work at the same time: no more than there are runs.
 int group_count(int ranks, std::int64_t ranks_per_run, std::int64_t runs);
 

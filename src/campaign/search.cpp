@@ -76,10 +76,13 @@ void require_ended(const DoneRuns& done) {
   for (std::size_t i = 0; i < done.runs.size(); ++i) {
     const RunRecord& record = done.records[i];
     if (record.state != RunState::waiting) continue;
-    const bool is_noted = record.failure != ExitCode::done;
-    throw Error(is_noted ? record.failure : ExitCode::file,
-                fmt::format("runs/{}: {}; the search goes on when the same command has done this run",
-                            done.runs[i].name, is_noted ? record.reason : "has not come to its end"));
+    const std::string run = "runs/" + done.runs[i].name;
+    if (record.failure == ExitCode::usage) {
+      throw DeckError(fmt::format("{}: {}; change the ranges of the parameters, or the deck, so that it can be set up",
+                                  run, record.reason));
+    }
+    throw FileError(fmt::format("{}: {}; the search goes on when the same command has done this run", run,
+                                record.reason.empty() ? "has not come to its end" : record.reason));
   }
 }
 

@@ -3,7 +3,7 @@
 #include "contact/epsd2.h"
 
 // The elastic-plastic spring and dashpot model of the rolling moment, "EPSD" (Ai, Chen, Rotter, Ooi 2011, model C,
-// doi:10.1016/j.powtec.2010.09.030, with the stiffness of Iwashita and Oda 1998 in LIGGGHTS 3.8's form). The spring is
+// doi:10.1016/j.powtec.2010.09.030, with the stiffness that LIGGGHTS 3.8 takes from there). The spring is
 // that of epsd2.h with another stiffness; the dashpot acts as long as the spring is not at its limit.
 
 namespace repose {

@@ -27,6 +27,7 @@ HeatTransfer::HeatTransfer(const Deck& deck, const MaterialTable& materials, con
       ledger_(HeatLedger::none(deck.walls.size())) {
   for (const WallDeck& wall : deck.walls) walls_.push_back(wall.heat);
   wall_temperature_.assign(walls_.size(), undetermined);
+  conducting_temperature_ = wall_temperature_;
   set_given_wall_temperatures(0.0);
 }
 
@@ -141,8 +142,8 @@ std::vector<HeatTransfer::WallFlow> HeatTransfer::wall_flows(const HeatScene& sc
         const auto w = static_cast<std::size_t>(touch.wall);
         if (!walls_[w].enabled) return;
         const WarmBody grain = body(particles, i);
-        const bool is_known = wall_temperature_[w] > 0.0;  // neither NaN nor what a power below 0 may come to
-        const double temperature = is_known ? wall_temperature_[w] : grain.temperature;
+        const bool is_known = conducting_temperature_[w] > 0.0;  // neither NaN nor what a power below 0 may come to
+        const double temperature = is_known ? conducting_temperature_[w] : grain.temperature;
         const WarmBody wall{0.0, temperature, static_cast<std::size_t>(scene.walls[w].material)};
         const double conductance = state_.conductance().of_wall(grain, wall, touch.distance);
         if (conductance == 0.0) return;
@@ -157,7 +158,7 @@ std::vector<HeatTransfer::WallFlow> HeatTransfer::wall_flows(const HeatScene& sc
 void HeatTransfer::set_given_wall_temperatures(double time) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     if (!walls_[w].enabled || walls_[w].type != WallHeatType::temperature) continue;
-    wall_temperature_[w] = walls_[w].temperature * factor_at(walls_[w], time);
+    conducting_temperature_[w] = wall_temperature_[w] = walls_[w].temperature * factor_at(walls_[w], time);
   }
 }
 
@@ -180,6 +181,9 @@ void HeatTransfer::set_other_wall_temperatures(const HeatScene& scene, std::span
     const double outside = is_power ? 0.0 : wall.coefficient;
     const double given = is_power ? wall.power * factor : outside * wall.temperature * factor;
     wall_temperature_[w] = sum > 0.0 ? (given + heat) / (outside + sum) : undetermined;
+    // Half way: radiation grows with the third power, and a step that went all the way would swing to and fro.
+    const double before = conducting_temperature_[w] > 0.0 ? conducting_temperature_[w] : wall_temperature_[w];
+    conducting_temperature_[w] = 0.5 * (before + wall_temperature_[w]);
   }
 }
 

@@ -66,6 +66,7 @@ class HeatTransfer {
   template <class Self, class Visitor>
   static void describe_state(Self& self, Visitor& v) {
     v("wall_temperatures", self.wall_temperature_);
+    v("conducting_temperatures", self.conducting_temperature_);
   }
 
  private:
@@ -93,6 +94,7 @@ class HeatTransfer {
   PhaseHeat boxes_;
   HeatLedger ledger_;
   std::vector<double> wall_temperature_;
+  std::vector<double> conducting_temperature_;  ///< K, at which each wall conducts; NaN: at that of the grain
   // While a thermal step is made:
   std::vector<double> temperature_;     ///< of all particles, K
   std::vector<std::int64_t> gain_;      ///< of the owned ones, units

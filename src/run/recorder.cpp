@@ -108,10 +108,9 @@ void Recorder::phase_begins(const Simulation& simulation, const Phase& phase) {
     opened_ = true;
     for (const Watched& w : watches_) w.watch->vessel_opens(simulation);
   }
-  const Deck& deck = simulation.deck();
-  if (simulation.steps() == 0) write_series_row(simulation, phase.deck().name);
-  if (simulation.steps() == 0 && phase.deck().name == deck.phases.front().name && is_asked_for(0)) {
-    write_snapshot_now(simulation);
+  if (simulation.steps() == 0) {
+    write_series_row(simulation, phase.deck().name);
+    if (is_asked_for(0)) write_snapshot_now(simulation);
   }
   for (const Watched& w : watches_) w.watch->phase_begins(simulation, phase.deck().name);
 }

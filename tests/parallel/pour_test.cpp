@@ -1,4 +1,6 @@
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -219,6 +221,26 @@ TEST_F(PourTest, APhaseDoesNotTakeAnEmptySceneForRest) {
   EXPECT_FALSE(phase.ended_by(s, 1));  // some have
   s.advance(3400);
   EXPECT_EQ(phase.ended_by(s, 1), "kinetic_energy");
+}
+
+TEST_F(PourTest, ALoadOnAWallEndsAPhaseWhileParticlesAreStillToCome) {
+  Deck scene = pouring_deck();
+  scene.walls = {test::floor_at(-5e-3)};
+  Simulation s = make(scene);
+  PhaseDeck deck;
+  deck.name = "pour";
+  deck.until = PhaseUntil::wall_force;
+  deck.wall = scene.walls[0].name;
+  deck.force = 1e-4;
+  deck.max_time = 1.0;
+  const Phase phase(deck, s);
+  std::optional<std::string> ended;
+  while (!ended && s.awaits_particles()) {
+    s.advance(10);
+    ended = phase.ended_by(s, 10);
+  }
+  EXPECT_EQ(ended, "wall_force");
+  EXPECT_TRUE(s.awaits_particles());
 }
 
 TEST_F(PourTest, IsRefusedInAPhaseWithoutMechanics) {

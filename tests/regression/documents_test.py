@@ -18,6 +18,8 @@ import sys
 import tempfile
 import time
 
+from repose_runs import PATIENCE
+
 SHORT = ("phase.settle.max_time=2 ms", "phase.settle.min_time=1 ms", "phase.discharge.max_time=2 ms", "phase.discharge.min_time=2 ms")
 LIFTED = ("phase.settle.min_time=0", "phase.settle.max_time=2 ms", "phase.lift.time=2 ms", "phase.rest.min_time=0", "phase.rest.max_time=2 ms")
 # Overrides for commands that read a file of this name.
@@ -68,7 +70,7 @@ STANDS_FOR = {"DECK": "input/discharge_quick.toml", "DIR": "results/a_run", "res
 NOT_RUN = {}
 FORM = re.compile(r"(?<!=)\[|\.\.\.|\b(SCRIPT|TUTORIALS|DECK|FILE|FILES|DIR|TEST|TOOL|SNAPSHOT|RESULT)\b|\bA\.csv\b|<")
 BEGINS = re.compile(r"(\w+=\S+ )*((mpirun|mpiexec)( -\S+ \S+)* )?((build/release/src/)?repose(?!:) \S|(tools|benchmarks/\w+)/\w+\.py( |$))")
-LONGEST = 120  # s for one command
+LONGEST = 120 * PATIENCE  # s for one command
 
 
 class Place:

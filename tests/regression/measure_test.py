@@ -103,13 +103,14 @@ class Measure(FolderTest):
         """Before it opens, by any number of ranks, and from the snapshot of that moment."""
         self.deck = self.program.deck("discharge_quick.toml")
         box = ('measurement.bulk_density={ min = ["-2 mm", "-2 mm", "1 mm"], max = ["2 mm", "2 mm", "20 mm"] }',
-               'measurement.retained_slope={ orifice_height = 0.0, radius = "4 mm" }', "output.snapshot_times=[0.05]",
+               'measurement.retained_slope={ orifice_height = 0.0, radius = "4 mm" }', "output.snapshot_times=[0.0, 0.05]",
                "phase.settle.max_time=50 ms", "phase.discharge.max_time=250 ms")
         one, three = (self.program.run(self.deck, self.path(str(ranks)), *box, ranks=ranks, options=("--quiet",))
                       for ranks in (1, 3))
         self.assertTrue(1700 < one["bulk_density_kg_m3"] < 2100, one["bulk_density_kg_m3"])
         self.assertAlmostEqual(one["porosity"], 1.0 - one["bulk_density_kg_m3"] / 3592.0, delta=1e-12)
         self.assertTrue(20 < one["retained_slope_deg"] < 60, one["retained_slope_deg"])
+        self.assertTrue(os.path.exists(self.path("1/run_0000000000.hdf")))
         bed = ("bulk_density_kg_m3", "porosity", "bulk_density_top_m")
         for key in (*bed, "retained_slope_deg"):
             self.assertEqual(one[key], three[key], key)

@@ -43,6 +43,8 @@ class Case:
         with open(os.path.join(output, "estimate.json")) as file:
             estimate = json.load(file)
         misfit = misfit_at(estimate["surfaces"], truth)
+        widest = max(max(row) for row in estimate["surfaces"]["misfit"])
+        assert widest > estimate["limit"], f"{self.name} {truth}: the region is all of the ranges"
         best = [f"{v:.3f} +- {e:.3f}" for p in estimate["points"][:1]
                 for v, e in zip(p["values"], [e if e is not None else math.inf for e in p["standard_errors"]])]
         print(f"{self.name} {truth}: {best or estimate['verdict']}, T = {misfit:.2f} of {estimate['limit']:.2f}, "

@@ -13,6 +13,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 # For runs that are refused: mpirun ends what outlives the first rank that fails at once, not after two seconds.
 REFUSED = {"OMPI_MCA_odls_base_sigkill_timeout": "0"}
+# By how much longer everything may take, under sanitizers.
+PATIENCE = float(os.environ.get("REPOSE_PATIENCE", "1"))
 
 
 class Program:
@@ -22,7 +24,7 @@ class Program:
     def deck(self, name):
         return os.path.join(self.source, "input", name)
 
-    def call(self, *arguments, ranks=0, env=None, timeout=5000):
+    def call(self, *arguments, ranks=0, env=None, timeout=5000 * PATIENCE):
         """The finished process; ranks = 0 runs it without mpirun."""
         launcher = [self.mpiexec, "-n", str(ranks)] if ranks else []
         return subprocess.run(

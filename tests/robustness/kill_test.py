@@ -17,7 +17,7 @@ LONG = 600  # wall seconds of an undisturbed run, on a machine under load
 
 
 def is_writing_checkpoint(output):
-    return any(n.startswith("checkpoint_") and n.endswith(".partial") for n in os.listdir(output) if os.path.isdir(output))
+    return os.path.isdir(output) and any(n.startswith("checkpoint_") and n.endswith(".partial") for n in os.listdir(output))
 
 
 class Disturbed:
@@ -33,7 +33,7 @@ class Disturbed:
     def kill_once(self):
         """Whether the run was alive to be killed, and whether it had a checkpoint to go on from; it may be complete instead."""
         ranks = self.draw.randint(1, 4)
-        goal = rows_of(self.output) + self.draw.randint(0, self.rows)
+        goal = rows_of(self.output) + self.draw.randint(1, self.rows)
         in_checkpoint = self.draw.random() < 0.4
         with self.start(ranks) as job:
             wait_until(lambda: rows_of(self.output) >= goal, job, LONG)
@@ -46,7 +46,7 @@ class Disturbed:
                 job.kill()
             elif alive:
                 os.kill(self.draw.choice(alive), signal.SIGKILL)
-            code, _, stderr = job.end()
+            code, _, stderr = job.end(LONG)
         if code == 0:
             return False, saved
         assert alive and code == (-signal.SIGKILL if whole else 137), f"exit {code}: {stderr}"

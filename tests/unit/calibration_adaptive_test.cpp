@@ -1,5 +1,6 @@
 // The adaptive search needs fewer runs than the full grid for the same confidence, and still covers the truth.
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -117,6 +118,20 @@ TEST(Adaptive, DoesNotAskAgainWhereRunsHaveNoValue) {
   for (const auto& point : next_points(misfit, estimate(misfit, 0.95), 5, 2)) {
     EXPECT_FALSE(point[0] > 0.77 && point[1] > 0.434) << point[0] << " " << point[1];
   }
+}
+
+// Where one run of three has a value a point tells something, and so less the second time.
+TEST(Adaptive, DoesNotSpendABatchOnOnePointWhereFewRunsHaveAValue) {
+  const StandIn s = friction_stand_in();
+  Draw draw(4);
+  Campaign c = start_of(s, laboratory_of(s, {0.6, 0.3}, draw));
+  add_grid(c, s, 4, 3, draw);
+  for (std::size_t run = 0; run < c.points.size(); ++run) {
+    for (ObservableData& o : c.observables) o.values[run] = run % 3 == 0 ? o.values[run] : std::nan("");
+  }
+  const Misfit misfit(s.ranges, c.points, c.observables);
+  const auto points = next_points(misfit, estimate(misfit, 0.95), 4, 3);
+  EXPECT_GT(std::set(points.begin(), points.end()).size(), 2U);
 }
 
 }  // namespace

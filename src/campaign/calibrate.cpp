@@ -107,13 +107,14 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
   const CalibrationDeck deck = read_deck_and_curves(world, text, request.deck);
   const StudyDirectory directory(world, request.output);
   CalibrationWork work(world, deck, text, request, stop_asked);
+  const std::vector<LevelPoint> first = first_points(deck);
   std::optional<LiveReport> live;
   agree_after_root(world, [&] {
-    work.check(first_points(deck));
+    work.check(first);
     write_copies(deck, text, request);
     if (!report_file.empty()) work.renew(live.emplace(request.output, report_file, request.log));
   });
-  const auto done = deck.adaptive.enabled ? search(deck, work) : work.at(first_points(deck));
+  const DoneRuns done = deck.adaptive.enabled ? search(deck, work, first) : work.at(first);
   std::string report;
   agree_after_root(world, [&] {
     const Projection projection = project_curves(deck, request.output, done.runs, done.records);

@@ -62,7 +62,6 @@ void CalibrationWork::check(std::span<const LevelPoint> points) const {
 
 DoneRuns CalibrationWork::at(std::span<const LevelPoint> points) {
   std::vector<StudyRun> runs = level_runs(deck_, overrides_, points);
-  agree_after_root(world_, [&] { check_campaign(plan_, runs); });
   CampaignEffort now;
   std::vector<RunRecord> records = run_campaign(world_, plan_, runs, stop_asked_, now);
   const double before = effort_.wall_seconds * effort_.idle_share;

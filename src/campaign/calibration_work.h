@@ -31,10 +31,10 @@ class CalibrationWork {
   /// A report to be renewed while runs go on. For rank 0.
   void renew(LiveReport& report) { plan_.report = &report; }
 
-  /// Whether the runs at these points can be in the directory. For rank 0. DeckError, FileError.
+  /// DeckError, FileError when the runs at these points cannot be in the directory. For rank 0.
   void check(std::span<const LevelPoint> points) const;
 
-  /// The runs at all these points; what is complete is not done again. DeckError, FileError, Stopped.
+  /// The runs at all these points, which have been checked; what is complete is not done again. FileError, Stopped.
   DoneRuns at(std::span<const LevelPoint> points);
 
   /// What the runs at these points would take, for a person; runs nothing. For rank 0. DeckError, FileError.

@@ -128,8 +128,7 @@ std::vector<LevelPoint> first_design(const CalibrationDeck& deck) {
   return rounded(std::move(points));
 }
 
-DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
-  Points points = first_design(deck);
+DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work, Points points) {
   std::string history = "points,runs,core_hours,half_width\n";
   int narrow = 0;
   while (true) {
@@ -151,6 +150,7 @@ DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work) {
     broadcast(work.world(), more, deck.study.parameters.size());
     if (more.empty()) return done;
     points.insert(points.end(), more.begin(), more.end());
+    agree_after_root(work.world(), [&] { work.check(points); });
   }
 }
 

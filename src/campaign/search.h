@@ -6,8 +6,9 @@ namespace repose {
 
 /// Collective. Runs at points of the levels that are decided batch after batch, each from the complete batches before
 /// alone: so neither ranks nor timing can change them. Costs are counted in grains and steps, not by the clock, for the
-/// same reason. Ends when two estimates in a row are narrow enough, or at the budget.
-DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work);
+/// same reason. `points`: those of the first design, which have been checked. Ends when two estimates in a row are
+/// narrow enough, or at the budget.
+DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work, std::vector<LevelPoint> points);
 
 /// The points that a search starts from, at every level.
 std::vector<LevelPoint> first_design(const CalibrationDeck& deck);

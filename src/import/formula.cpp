@@ -1,9 +1,11 @@
 #include "import/formula.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <vector>
 
@@ -70,65 +72,42 @@ class Parser {
     return true;
   }
 
+  using Operand = double (Parser::*)();
+  struct Operator {
+    std::string_view symbol;
+    double (*value)(double, double);
+  };
+  /// Operands between operators that bind alike, from the left; a longer symbol stands before its own beginning.
+  double chain(Operand operand, std::initializer_list<Operator> operators) {
+    double value = (this->*operand)();
+    while (true) {
+      const auto found =
+          std::find_if(operators.begin(), operators.end(), [&](const Operator& o) { return take(o.symbol); });
+      if (found == operators.end()) return value;
+      value = found->value(value, (this->*operand)());
+    }
+  }
+  static double truth(bool holds) { return holds ? 1.0 : 0.0; }
+
   double disjunction() {
-    double value = conjunction();
-    while (take("||")) {
-      const double other = conjunction();
-      value = value != 0.0 || other != 0.0 ? 1.0 : 0.0;
-    }
-    return value;
+    return chain(&Parser::conjunction, {{"||", [](double a, double b) { return truth(a != 0.0 || b != 0.0); }}});
   }
-
   double conjunction() {
-    double value = equality();
-    while (take("&&")) {
-      const double other = equality();
-      value = value != 0.0 && other != 0.0 ? 1.0 : 0.0;
-    }
-    return value;
+    return chain(&Parser::equality, {{"&&", [](double a, double b) { return truth(a != 0.0 && b != 0.0); }}});
   }
-
   double equality() {
-    double value = comparison();
-    for (;;) {
-      if (take("==")) {
-        value = value == comparison() ? 1.0 : 0.0;
-      } else if (take("!=")) {
-        value = value != comparison() ? 1.0 : 0.0;
-      } else {
-        return value;
-      }
-    }
+    return chain(&Parser::comparison, {{"==", [](double a, double b) { return truth(a == b); }},
+                                       {"!=", [](double a, double b) { return truth(a != b); }}});
   }
-
   double comparison() {
-    double value = sum();
-    for (;;) {
-      if (take("<=")) {
-        value = value <= sum() ? 1.0 : 0.0;
-      } else if (take(">=")) {
-        value = value >= sum() ? 1.0 : 0.0;
-      } else if (take("<")) {
-        value = value < sum() ? 1.0 : 0.0;
-      } else if (take(">")) {
-        value = value > sum() ? 1.0 : 0.0;
-      } else {
-        return value;
-      }
-    }
+    return chain(&Parser::sum, {{"<=", [](double a, double b) { return truth(a <= b); }},
+                                {">=", [](double a, double b) { return truth(a >= b); }},
+                                {"<", [](double a, double b) { return truth(a < b); }},
+                                {">", [](double a, double b) { return truth(a > b); }}});
   }
-
   double sum() {
-    double value = product();
-    for (;;) {
-      if (take("+")) {
-        value += product();
-      } else if (take("-")) {
-        value -= product();
-      } else {
-        return value;
-      }
-    }
+    return chain(&Parser::product,
+                 {{"+", [](double a, double b) { return a + b; }}, {"-", [](double a, double b) { return a - b; }}});
   }
 
   double product() {
@@ -153,9 +132,7 @@ class Parser {
   }
 
   double power() {
-    double value = sign();
-    while (take("^")) value = std::pow(value, sign());
-    return value;
+    return chain(&Parser::sign, {{"^", [](double a, double b) { return std::pow(a, b); }}});
   }
 
   /// Tighter than ^: -2^2 is 4.

@@ -19,19 +19,13 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
-from repose_runs import FolderTest, Program
+from repose_runs import FolderTest, Program, read_series
 
 # A bed that has come to rest long before it is stopped, with its lid, so that a checkpoint stays.
 RUN = ["particles.0.mass=0.03 g", "particles.0.height=15 mm", "phase.settle.max_time=1000 s",
        "phase.settle.kinetic_energy=1e-40", "output.snapshot_interval=20 ms"]
 AT_REST = 0.4  # s
 STEEP = 9.81
-
-
-def open_lines(path):
-    """Those that are whole."""
-    with open(path) as file:
-        return [line for line in file if line.endswith("\n")]
 
 
 class Image:
@@ -77,9 +71,9 @@ class Fields(FolderTest):
     @classmethod
     def simulated(cls):
         """Seconds of the last row of series.csv."""
-        path = os.path.join(cls.run_directory, "series.csv")
-        rows = open_lines(path) if os.path.exists(path) else []
-        return float(rows[-1].split(",")[1]) if len(rows) > 1 else 0.0
+        begun = os.path.exists(os.path.join(cls.run_directory, "series.csv"))
+        rows = read_series(cls.run_directory) if begun else []
+        return rows[-1]["time_s"] if rows else 0.0
 
     def fields(self, *arguments):
         done = self.program.call("fields", *arguments, "--output", self.path("fields"))

@@ -103,18 +103,24 @@ TEST(Adaptive, NextPointsAreInTheRangesAndTheSameAgain) {
   }
 }
 
+/// Runs of a grid with so many seeds, of which those that `lacks` names have no values.
+template <class Lacks>
+Misfit misfit_without_some(const StandIn& s, const std::vector<double>& hidden, int seeds, const Lacks& lacks) {
+  Draw draw(4);
+  Campaign c = start_of(s, laboratory_of(s, hidden, draw));
+  add_grid(c, s, 4, seeds, draw);
+  for (std::size_t run = 0; run < c.points.size(); ++run) {
+    if (!lacks(run, c.points[run])) continue;
+    for (ObservableData& o : c.observables) o.values[run] = std::nan("");
+  }
+  return Misfit(s.ranges, c.points, c.observables);
+}
+
 // Where runs have no angle, more of them would tell nothing of it: the search must not stay there.
 TEST(Adaptive, DoesNotAskAgainWhereRunsHaveNoValue) {
-  const StandIn s = friction_stand_in();
-  Draw draw(4);
-  Campaign c = start_of(s, laboratory_of(s, {0.8, 0.45}, draw));
-  add_grid(c, s, 4, 2, draw);
-  for (std::size_t run = 0; run < c.points.size(); ++run) {
-    if (c.points[run][0] > 0.85 && c.points[run][1] > 0.45) {
-      for (ObservableData& o : c.observables) o.values[run] = std::nan("");
-    }
-  }
-  const Misfit misfit(s.ranges, c.points, c.observables);
+  const Misfit misfit = misfit_without_some(
+      friction_stand_in(), {0.8, 0.45}, 2,
+      [](std::size_t, const std::vector<double>& point) { return point[0] > 0.85 && point[1] > 0.45; });
   for (const auto& point : next_points(misfit, estimate(misfit, 0.95), 5, 2)) {
     EXPECT_FALSE(point[0] > 0.77 && point[1] > 0.434) << point[0] << " " << point[1];
   }
@@ -122,14 +128,8 @@ TEST(Adaptive, DoesNotAskAgainWhereRunsHaveNoValue) {
 
 // Where one run of three has a value a point tells something, and so less the second time.
 TEST(Adaptive, DoesNotSpendABatchOnOnePointWhereFewRunsHaveAValue) {
-  const StandIn s = friction_stand_in();
-  Draw draw(4);
-  Campaign c = start_of(s, laboratory_of(s, {0.6, 0.3}, draw));
-  add_grid(c, s, 4, 3, draw);
-  for (std::size_t run = 0; run < c.points.size(); ++run) {
-    for (ObservableData& o : c.observables) o.values[run] = run % 3 == 0 ? o.values[run] : std::nan("");
-  }
-  const Misfit misfit(s.ranges, c.points, c.observables);
+  const Misfit misfit = misfit_without_some(friction_stand_in(), {0.6, 0.3}, 3,
+                                            [](std::size_t run, const std::vector<double>&) { return run % 3 != 0; });
   const auto points = next_points(misfit, estimate(misfit, 0.95), 4, 3);
   EXPECT_GT(std::set(points.begin(), points.end()).size(), 2U);
 }

@@ -11,6 +11,12 @@
 #include "deck/sensitivity_deck.h"
 #include "deck/validation_deck.h"
 #include "photo/photo_deck.h"
+#include "thermal/plane_source/tps_deck.h"
+#include "thermal/tools/bed_tool.h"
+#include "thermal/tools/compare_tool.h"
+#include "thermal/tools/mixture_tool.h"
+#include "thermal/tools/network_tool.h"
+#include "thermal/tools/sensor_tool.h"
 
 namespace repose {
 namespace {
@@ -20,7 +26,14 @@ std::string keys_of(const std::string& command) {
                                                                             {"calibrate", calibration_keys},
                                                                             {"sensitivity", sensitivity_keys},
                                                                             {"validate", validation_keys},
-                                                                            {"photo", photo::photo_keys}};
+                                                                            {"photo", photo::photo_keys},
+                                                                            {"compare", thermal::compare_keys},
+                                                                            {"thermal bed", thermal::bed_keys},
+                                                                            {"thermal mixture", thermal::mixture_keys},
+                                                                            {"thermal network", thermal::network_keys},
+                                                                            {"thermal sensor", thermal::sensor_keys},
+                                                                            {"thermal synthesise", thermal::tps_keys},
+                                                                            {"thermal tps", thermal::tps_keys}};
   if (const auto found = files.find(command); found != files.end()) return found->second();
   std::vector<std::string> names;
   for (const auto& [name, keys] : files) names.push_back(name);
@@ -30,13 +43,18 @@ std::string keys_of(const std::string& command) {
 class Keys : public Command {
  public:
   void declare(Options& options) override {
-    options.argument("COMMAND", command_, "whose file: run (the default), calibrate, sensitivity, validate or photo",
+    options.argument("COMMAND", command_,
+                     "whose file: run (the default), calibrate, sensitivity, validate, photo, compare or thermal",
                      Options::Need::may);
+    options.argument("TOOL", tool_, "of thermal: bed, mixture, network, sensor, synthesise or tps", Options::Need::may);
   }
-  void carry_out(Process& process) override { process.say(keys_of(command_)); }
+  void carry_out(Process& process) override {
+    process.say(keys_of(tool_.empty() ? command_ : fmt::format("{} {}", command_, tool_)));
+  }
 
  private:
   std::string command_ = "run";
+  std::string tool_;
 };
 
 }  // namespace

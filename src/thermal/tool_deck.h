@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deck/key.h"
+#include "deck/key_reference.h"
 #include "deck/read_described.h"
 #include "thermal/tool_input.h"
 

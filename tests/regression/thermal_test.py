@@ -9,6 +9,7 @@ import os
 import re
 import subprocess
 import sys
+import tomllib
 import unittest
 
 from repose_runs import FolderTest, Program
@@ -48,6 +49,30 @@ class Thermal(FolderTest):
             self.assertIn("|", text)
             self.assertEqual(result["tool"], tool)
             self.assertIn("commit", result["build"])
+
+    def test_keys_has_every_key_of_the_decks(self):
+        for tool, name in (("compare", "compare"), ("thermal bed", "bed_carbohsp"), ("thermal mixture", "mixture"),
+                           ("thermal network", "network"), ("thermal sensor", "sensor"), ("thermal synthesise", "tps_mica"),
+                           ("thermal tps", "tps_grains")):
+            done = self.program.call("keys", *tool.split())
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(f"repose {tool}", done.stdout)
+            with open(self.program.deck(f"thermal_{name}.toml"), "rb") as file:
+                self.has_keys(done.stdout, tomllib.load(file), "")
+        self.fails(2, "there are no keys of \"thermal bad\"; did you mean thermal bed?", "keys", "thermal", "bad")
+        self.fails(2, "there are no keys of \"thermal\"; did you mean thermal", "keys", "thermal")
+
+    def has_keys(self, text, section, name):
+        for key, value in section.items():
+            if isinstance(value, dict):
+                self.assertIn(f"\n[{name}{key}]", text)
+                self.has_keys(text, value, f"{name}{key}.")
+            elif isinstance(value, list) and isinstance(value[0], dict):
+                self.assertIn(f"\n[[{name}{key}]]", text)
+                for one in value:
+                    self.has_keys(text, one, f"{name}{key}.")
+            else:
+                self.assertIn(f"\n  {key} ", text)
 
     def test_on_two_ranks_the_same(self):
         deck = self.program.deck("thermal_bed_sand.toml")

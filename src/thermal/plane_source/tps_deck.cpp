@@ -15,8 +15,8 @@ void describe(V& v, SensorDeck& s) {
   v("rings", s.rings, Unit::none, from_to(1, 60), optional.when(rings, "type = rings"), "number of rings");
   v("cutoff", s.cutoff, Unit::none, from_to(SourceFunction::min_tau, 0.1), optional.when(rings, "type = rings"),
     "where the integral over sigma begins");
-  v("resistance", s.thermometer.resistance, Unit::ohm, above(0), optional, "of the spiral at time 0");
-  v("resistance_coefficient", s.thermometer.coefficient, Unit::per_kelvin, above(0), optional,
+  v("resistance", s.thermometer.resistance, Unit::ohm, above(0), optional_else("none"), "of the spiral at time 0");
+  v("resistance_coefficient", s.thermometer.coefficient, Unit::per_kelvin, above(0), optional_else("none"),
     "of the spiral's resistance with temperature");
 }
 
@@ -26,7 +26,8 @@ void describe(V& v, EvaluationDeck& e) {
   v("power_deviation", e.power_deviation, Unit::none, from_to_below(0, 1), optional, "relative standard deviation");
   v("leave_out_first", e.first, Unit::none, from_to(0, 1e9), optional, "points at the beginning");
   v("leave_out_last", e.last, Unit::none, from_to(0, 1e9), optional, "points at the end");
-  v("bulk_density", e.bulk_density, Unit::density, above(0), optional, "of the sample, for the mass heat capacity");
+  v("bulk_density", e.bulk_density, Unit::density, above(0), optional_else("none"),
+    "of the sample, for the mass heat capacity");
 }
 
 template <class V>
@@ -121,6 +122,10 @@ void check(TpsDeck& deck, DeckErrors& errors) {
 }
 
 }  // namespace
+
+std::string tps_keys() {
+  return key_reference<TpsDeck>("Keys of a file for repose thermal tps or repose thermal synthesise.");
+}
 
 TpsDeck read_tps_deck(const ToolInput& input) { return read_tool_deck<TpsDeck>(input, check); }
 

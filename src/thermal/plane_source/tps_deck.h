@@ -56,6 +56,9 @@ struct TpsDeck {
 /// Reads and checks it. DeckError as of read_tool_deck.
 TpsDeck read_tps_deck(const ToolInput& input);
 
+/// All keys of it, as `repose keys` prints them.
+std::string tps_keys();
+
 /// The dimensionless rise of the deck's sensor.
 SourceFunction source_of(const SensorDeck& sensor);
 

@@ -142,6 +142,8 @@ std::string bed_text(const Json& json) {
 
 }  // namespace
 
+std::string bed_keys() { return key_reference<BedDeck>("Keys of a file for repose thermal bed."); }
+
 ToolResult bed_tool(const ToolInput& input) {
   const auto deck = read_tool_deck<BedDeck>(input, check);
   Json rows = Json::array();

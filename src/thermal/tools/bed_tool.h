@@ -8,4 +8,7 @@ namespace repose::thermal {
 /// its parts contribute, what the uncertainty of the densities makes of it, and how far given measurements deviate.
 ToolResult bed_tool(const ToolInput& input);
 
+/// All keys of its deck, as `repose keys` prints them.
+std::string bed_keys();
+
 }  // namespace repose::thermal

@@ -187,6 +187,8 @@ std::string comparison_text(const Json& json) {
 
 }  // namespace
 
+std::string compare_keys() { return key_reference<CompareDeck>("Keys of a file for repose compare."); }
+
 ToolResult compare_tool(const ToolInput& input) {
   const auto deck = read_tool_deck<CompareDeck>(input, check);
   if (input.files.size() != 2) throw DeckError("compare needs two files");

@@ -8,4 +8,7 @@ namespace repose::thermal {
 /// the deck whether the two are equivalent, and the thermal expansion of an orifice against the smallest grain.
 ToolResult compare_tool(const ToolInput& input);
 
+/// All keys of its deck, as `repose keys` prints them.
+std::string compare_keys();
+
 }  // namespace repose::thermal

@@ -93,6 +93,8 @@ Json state_json(const MixtureDeck& deck, const MixtureState& s) {
 
 }  // namespace
 
+std::string mixture_keys() { return key_reference<MixtureDeck>("Keys of a file for repose thermal mixture."); }
+
 ToolResult mixture_tool(const ToolInput& input) {
   const auto deck = read_tool_deck<MixtureDeck>(input, check);
   Json states = Json::array();

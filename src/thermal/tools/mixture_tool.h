@@ -8,4 +8,7 @@ namespace repose::thermal {
 /// and the specific heat of the grains from a measured volumetric one.
 ToolResult mixture_tool(const ToolInput& input);
 
+/// All keys of its deck, as `repose keys` prints them.
+std::string mixture_keys();
+
 }  // namespace repose::thermal

@@ -223,6 +223,8 @@ std::string linked_bed_text(const Json& bed) {
 
 }  // namespace
 
+std::string network_keys() { return key_reference<NetworkDeck>("Keys of a file for repose thermal network."); }
+
 ToolResult network_tool(const ToolInput& input) {
   const auto deck = read_tool_deck<NetworkDeck>(input, check);
   Json beds = Json::array();

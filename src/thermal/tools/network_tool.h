@@ -9,4 +9,7 @@ namespace repose::thermal {
 /// Bauer and Schluender at the same porosity.
 ToolResult network_tool(const ToolInput& input);
 
+/// All keys of its deck, as `repose keys` prints them.
+std::string network_keys();
+
 }  // namespace repose::thermal

@@ -212,6 +212,8 @@ std::string correction_text(const Json& json) {
 
 }  // namespace
 
+std::string sensor_keys() { return key_reference<SensorCorrectionDeck>("Keys of a file for repose thermal sensor."); }
+
 ToolResult sensor_tool(const ToolInput& input) {
   const auto deck = read_tool_deck<SensorCorrectionDeck>(input, check);
   Json materials = Json::array();

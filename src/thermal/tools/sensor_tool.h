@@ -8,4 +8,7 @@ namespace repose::thermal {
 /// readings with mica at temperature corrected by the difference between mica and kapton at room temperature.
 ToolResult sensor_tool(const ToolInput& input);
 
+/// All keys of its deck, as `repose keys` prints them.
+std::string sensor_keys();
+
 }  // namespace repose::thermal

@@ -137,7 +137,8 @@ def shown(value, factor):
 # Figures of a summary: what a table calls them, and by what they are multiplied there
 UNITS = {"discharged_mass_kg": ("discharged, g", 1e3), "angle_of_repose_deg": ("angle, degrees", 1.0),
          "scattering.area_1.count": ("area 1", 1.0), "scattering.area_3.count": ("area 3", 1.0),
-         "discharge_time_s": ("discharge time, s", 1.0), "discharge_rate_kg_s": ("rate, g/s", 1e3)}
+         "discharge_time_s": ("discharge time, s", 1.0), "discharge_rate_kg_s": ("rate, g/s", 1e3),
+         "bulk_density_kg_m3": ("bulk density, kg/m3", 1.0)}
 SCATTERING = ("discharged_mass_kg", "angle_of_repose_deg", "scattering.area_1.count", "scattering.area_3.count")
 DISCHARGE = ("discharged_mass_kg", "angle_of_repose_deg", "discharge_time_s", "discharge_rate_kg_s")
 

@@ -9,9 +9,12 @@ CASES = {"carbohsp_friction": "calibrate_carbohsp_levels.toml", "sand_friction":
 
 
 def study(options):
-    """The calibrations of the cases, one after the other; each with its picture."""
+    """The calibrations of the cases, one after the other; each with its picture; of one that is stopped what its runs say so far."""
     for case in options.cases or CASES:
         name = f"calibration_{case}"
         with kept(options, name):
-            _, content = contours.calibrate(options, name, ROOT / "input" / CASES[case])
-        save(options.results / f"{name}.json", case=case, **content)
+            calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
+        is_complete = calibration.states["waiting"] == 0
+        save(options.results / f"{name}.json", case=case, is_complete=is_complete, **content)
+        if not is_complete:
+            raise SystemExit(f"{name} is not complete: the same command goes on")

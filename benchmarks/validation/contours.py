@@ -5,11 +5,12 @@ all figures should cross there; how they run tells what the test can and cannot 
 
 import json
 import statistics
+import subprocess
 import sys
 
 import numpy as np
 
-from bench import ROOT, Bench, flat_floor, input_deck, places, print_table, repose, save, time_limit, values_of, vessel
+from bench import ROOT, STOPPED, Bench, flat_floor, input_deck, places, print_table, repose, save, time_limit, values_of, vessel
 from kept_runs import kept
 from repose import plots
 
@@ -107,18 +108,23 @@ def grid_rows(calibration):
         rows.setdefault(tuple(grid[key][number].item() for key in keys), []).append(number)
     return [{**dict(zip(keys, point)), "state": " ".join(grid["state"][own]),
              **{figure: mean_of(grid, own, figure) for figure in figures},
-             "state_hash": [calibration.run(n).summary["state_hash"] for n in own if grid["state"][n] != "failed"]}
+             "state_hash": [calibration.run(n).summary["state_hash"] for n in own if grid["state"][n] in ("done", "plugged")]}
             for point, own in rows.items()]
 
 
-def calibrate(options, name, path, rings=()):
+def calibrate(options, name, path, rings=(), so_far=False):
     """A calibration over two parameters, drawn, beside the coefficients of its base; it and what is saved of it. What was stopped
-    goes on. rings: those in which the grains of each run are counted."""
+    goes on. rings: those in which the grains of each run are counted. so_far: of one that is stopped by --time-limit, what its
+    runs say until then."""
     try:
         calibration = repose.calibrate(path, options.work / name, ranks=options.ranks, program=options.program,
                                        options=time_limit(options))
     except repose.ReposeError as error:
-        raise SystemExit(f"{name}: {error}") from None
+        if not so_far or error.code != STOPPED:
+            raise SystemExit(f"{name}: {error}") from None
+        print(f"{name}: {error}")
+        print(subprocess.run([options.program, "estimate", options.work / name], check=True, capture_output=True, text=True).stdout)
+        calibration = repose.Calibration(options.work / name)
     finally:
         if rings:
             for summary in (options.work / name).glob("runs/*/summary.json"):

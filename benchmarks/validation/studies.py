@@ -111,9 +111,12 @@ def funnel(options):
     write(options, "funnel", summaries, rows)
 
 
-# Cases of `sizes`: name of its results and overrides of the friction between the grains
-FRICTIONS = {"calibrated": ("sizes", []),
-             "little": ("sizes_little_friction", ["pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.1"])}
+# Cases of `sizes`: name of its results, radius of the vessel in mm, overrides, spacing of one size over its diameter, figures
+SIZES = {"calibrated": ("sizes", 6.0, contours.SMALL, 1.75, DISCHARGE),
+         "little": ("sizes_little_friction", 6.0, [*contours.SMALL, "pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.1"], 1.75,
+                    DISCHARGE),
+         "full_vessel": ("sizes_full_vessel", 11.11, ["particles.0.mass=7.5 g", *rayleigh_share(0.3)], 1.25,
+                         (*DISCHARGE, "bulk_density_kg_m3"))}
 
 
 def rim_of(options, name, radius):
@@ -127,21 +130,21 @@ def rim_of(options, name, radius):
 
 
 def sizes(options):
-    """1.5 g of CarboHSP from a cylinder of 6 mm: of one size (the thesis's, which stands for what it leaves out, and that of the
-    mean volume of the distribution) and of its distribution, each with its calibrated friction; and with little of it."""
-    small = vessel("1.5 g", flat_floor(0.006, 0.051), 0.07)
-    decks = {"one_440": ("carbohsp_mono.toml", [*small, "particles.0.spacing=770 um"]),
-             "one_368": ("carbohsp_mono.toml", [*small, "particles.0.spacing=644 um", "particles.0.diameter=368 um"]),
-             "many": ("carbohsp_multi.toml", small)}
-    for case in options.cases or FRICTIONS:
-        study, friction = FRICTIONS[case]
+    """CarboHSP of one size (the thesis's, which stands for what it leaves out, and that of the mean volume of the distribution)
+    and of its distribution, each with its calibrated friction: 1.5 g from a cylinder of 6 mm, there with little friction as well,
+    and 7.5 g from the vessel of the full test."""
+    for case in options.cases or SIZES:
+        study, radius, sets, spacing, chosen = SIZES[case]
+        decks = {f"one_{diameter}": ("carbohsp_mono.toml", [*sets, f"particles.0.spacing={spacing * diameter:g} um", *own])
+                 for diameter, own in ((440, []), (368, ["particles.0.diameter=368 um"]))}
+        decks["many"] = ("carbohsp_multi.toml", sets)
         runs = {}
-        for name, (deck, sets) in decks.items():
-            runs |= with_seeds(f"{study}_{name}", deck, [*sets, *friction], options.seeds)
-        summaries = Bench(options).run_all(runs)
+        for name, (deck, own) in decks.items():
+            runs |= with_seeds(f"{study}_{name}", deck, own, options.seeds)
+        summaries = Bench(options).run_all(dict(reversed(runs.items())))  # the longest first
         rows = [{"sizes": name, "grains": summaries[f"{study}_{name}_1"]["particles"]["inserted"],
-                 **row_of(spreads(summaries, f"{study}_{name}", options.seeds, DISCHARGE)),
-                 "rim, mm": rim_of(options, f"{study}_{name}", 6.0)} for name in decks]
+                 **row_of(spreads(summaries, f"{study}_{name}", options.seeds, chosen)),
+                 "rim, mm": rim_of(options, f"{study}_{name}", radius)} for name in decks]
         save_means(options, study, summaries, rows)
 
 

@@ -11,6 +11,7 @@
 #include "campaign/calibration_work.h"
 #include "campaign/curve_observables.h"
 #include "campaign/estimate_report.h"
+#include "campaign/level_report.h"
 #include "campaign/level_runs.h"
 #include "campaign/live_report.h"
 #include "campaign/observables.h"
@@ -152,7 +153,9 @@ std::string estimate_directory(const Communicator& world, const std::string& dir
   agree_after_root(world, [&] {
     const std::vector<StudyRun> runs = level_runs_in(directory + "/runs", deck);
     const std::vector<RunRecord> records = read_run_folders(directory, runs, run_figures(deck));
-    report = write_estimate(project_curves(deck, directory, runs, records), runs, directory);
+    const KnownLevels known = known_levels(deck, runs, records);
+    const Projection projection = project_curves(known.deck, directory, known.runs, known.records);
+    report = known.left_out + write_estimate(projection, known.runs, directory);
   });
   return report;
 }

@@ -229,13 +229,16 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
   std::string text =
       text_of(deck, result, runs_text(runs, records) + overdue_text(overdue), curves_text(projection.curves));
   if (!deck.levels.empty()) {
-    const OtherEstimate first = first_level_alone(deck, runs, records);
     json["levels"] = levels_json(deck, runs, records);
+    text += levels_text(deck, runs, records) + links_text(deck, misfit);
+  }
+  if (deck.levels.size() > 1) {
+    const OtherEstimate first = first_level_alone(deck, runs, records);
     json["first_level_alone"] = other_json(first);
     if (misfit.parameters() == 2) {
       json["first_level_alone"]["surfaces"] = surface_json(first.misfit, deck, first.estimate.limit);
     }
-    text += levels_text(deck, runs, records) + links_text(deck, misfit) + other_text(deck, first);
+    text += other_text(deck, first);
   }
   for (const OtherEstimate& alone : experiments_alone(deck, runs, records)) {
     json["experiments_alone"][alone.what] = other_json(alone);

@@ -1,5 +1,6 @@
 #include "campaign/level_report.h"
 
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 
 #include "calibration/level_surface.h"
 #include "calibration/posterior_estimate.h"
+#include "calibration/standard_runs.h"
 #include "campaign/observables.h"
 #include "campaign/search.h"
 #include "files/json_text.h"
@@ -24,17 +26,31 @@ struct LevelRuns {
   std::size_t points = 0;
 };
 
-LevelRuns runs_of_level(std::size_t level, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+/// Those of the levels from `first` to `last`.
+LevelRuns runs_of_levels(std::size_t first, std::size_t last, std::span<const StudyRun> runs,
+                         std::span<const RunRecord> records) {
   LevelRuns own;
   std::set<std::vector<double>> points;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs[i].level != level) continue;
+    if (runs[i].level < first || runs[i].level > last) continue;
     own.runs.push_back(runs[i]);
     own.records.push_back(records[i]);
     points.insert(runs[i].values);
   }
   own.points = points.size();
   return own;
+}
+
+LevelRuns runs_of_level(std::size_t level, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+  return runs_of_levels(level, level, runs, records);
+}
+
+std::ptrdiff_t points_done(const LevelRuns& level) {
+  std::set<std::vector<double>> points;
+  for (std::size_t i = 0; i < level.runs.size(); ++i) {
+    if (is_complete(level.records[i].state)) points.insert(level.runs[i].values);
+  }
+  return std::ssize(points);
 }
 
 OtherEstimate other_estimate(std::string what, Misfit misfit, double confidence) {
@@ -48,6 +64,21 @@ const LevelSurface* level_surface(const Misfit& misfit, Index observable) {
 }
 
 }  // namespace
+
+KnownLevels known_levels(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                         std::span<const RunRecord> records) {
+  for (std::size_t level = 1; level < deck.levels.size(); ++level) {
+    const std::ptrdiff_t points = points_done(runs_of_level(level, runs, records));
+    if (points >= least_points) continue;
+    LevelRuns below = runs_of_levels(0, level - 1, runs, records);
+    KnownLevels known{deck, std::move(below.runs), std::move(below.records), {}};
+    known.deck.levels.resize(level);
+    known.left_out = fmt::format("level {} is left out: {} points of it are done, a surface needs {} or more\n",
+                                 deck.levels[level].name, points, least_points);
+    return known;
+  }
+  return {deck, {runs.begin(), runs.end()}, {records.begin(), records.end()}, {}};
+}
 
 OtherEstimate first_level_alone(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                                 std::span<const RunRecord> records) {

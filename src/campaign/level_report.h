@@ -20,6 +20,18 @@ struct OtherEstimate {
   Estimate estimate;
 };
 
+/// What a calibration is when a level of the model has too few runs yet.
+struct KnownLevels {
+  CalibrationDeck deck;  ///< with the levels that are known
+  std::vector<StudyRun> runs;
+  std::vector<RunRecord> records;
+  std::string left_out;  ///< for a person: a line on the first that is not; empty: all are
+};
+
+/// The levels below the first, other than the cheapest, of which fewer points are done than a surface takes.
+KnownLevels known_levels(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                         std::span<const RunRecord> records);
+
 /// From the runs of the cheapest level alone, as if it were the one that counts. For decks with levels.
 OtherEstimate first_level_alone(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                                 std::span<const RunRecord> records);

@@ -8,6 +8,7 @@ import csv
 import json
 import math
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -387,6 +388,26 @@ class Calibrate(FolderTest):
         drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
                                capture_output=True, text=True)
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
+
+    def test_a_level_with_too_few_runs_is_left_out_of_the_estimate(self):
+        self.calibrate(self.levels(), ranks=3, output=self.output)
+        self.program.call("estimate", self.output)  # takes the runs in the order of their names, too
+        whole = json.loads(self.read("estimate.json"))
+        large = os.path.join(self.output, "runs", "large")
+        points = sorted({name.rsplit(",seed=", 1)[0] for name in os.listdir(large)})
+        for name in os.listdir(large):
+            if name.rsplit(",seed=", 1)[0] not in points[:3]:
+                shutil.rmtree(os.path.join(large, name))
+        done = self.program.call("estimate", self.output)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("level large is left out: 3 points of it are done, a surface needs 4 or more\n"))
+        self.assertNotIn("small alone", done.stdout)
+        found = json.loads(self.read("estimate.json"))
+        self.assertEqual([level["name"] for level in found["levels"]], ["small"])
+        alone = whole["first_level_alone"]
+        self.assertEqual({key: found[key] for key in ("verdict", "points", "parts", "surfaces")},
+                         {key: alone[key] for key in ("verdict", "points", "parts", "surfaces")})
+        self.assertIn("small", self.report(self.output))
 
     def test_wrong_levels_are_refused(self):
         def wrong(old, new, message):

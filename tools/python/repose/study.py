@@ -2,7 +2,10 @@
 table."""
 
 import functools
+import math
 import pathlib
+
+import numpy as np
 
 from repose.files import ReposeError, read_json, read_rows, read_table, read_text, read_toml
 from repose.run_directory import Run
@@ -60,6 +63,16 @@ class Study:
         plugged, failed, running, waiting), the figures in the units of their names (NaN: none) and the `reason` of a
         failure."""
         return read_table(self.directory / "grid.csv", TEXTS)
+
+    def column(self, figure):
+        """The values of a figure in the rows of `grid`, NaN: none; of a figure that only `repose estimate --deck` asked for, those of
+        the runs."""
+        if figure in self.grid:
+            return self.grid[figure]
+        before = [f"{name}." for name in self.grid["experiment"]] if "experiment" in self.grid else [""] * self.grid.rows
+        values = [run.figure(figure.removeprefix(own)) if run is not None and run.is_complete and figure.startswith(own) else None
+                  for run, own in zip(self.runs, before)]
+        return np.array([math.nan if value is None else value for value in values])
 
     @functools.cached_property
     def folders(self):

@@ -7,11 +7,11 @@ from repose.units import quantity, words
 
 def draw_runs_over(axes, study, parameter, figure, factor):
     """Dots with a mark of its own for each level; `gid` is the row of the grid."""
-    grid = study.grid
+    grid, values = study.grid, study.column(figure)
     for n, level in enumerate(study.levels or [None]):
         label = level
         for row in range(grid.rows):
-            value = grid[figure][row]
+            value = values[row]
             if value != value or grid["state"][row] == "failed" or (level is not None and grid["level"][row] != level):
                 continue
             axes.plot([grid[parameter][row]], [factor * value], LEVEL_MARKS[n % len(LEVEL_MARKS)], color="0.4",

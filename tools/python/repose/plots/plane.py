@@ -29,8 +29,8 @@ def points_where(study, chosen):
 def draw_runs(axes, study, figure):
     """Dots where the figure was found, with a mark of its own for each level; crosses where runs were plugged, had
     none, or failed. The last level's are full."""
-    grid = study.grid
-    state, has_value = np.where(study.asked_rows(figure), grid["state"], ""), grid[figure] == grid[figure]
+    grid, values = study.grid, study.column(figure)
+    state, has_value = np.where(study.asked_rows(figure), grid["state"], ""), values == values
     found = (state == "done") & has_value
     for n, level in enumerate(study.levels):
         mark_points(axes, points_where(study, found & (grid["level"] == level)), LEVEL_MARKS[n % len(LEVEL_MARKS)],

@@ -1,11 +1,47 @@
 """The thesis's calibrations at full size, by levels: the decks of input/, beside what the thesis found."""
 
 import contours
-from bench import ROOT, save
+import numpy as np
+from bench import ROOT, print_table, save
 from kept_runs import kept
 
 CASES = {"carbohsp_friction": "calibrate_carbohsp_levels.toml", "sand_friction": "calibrate_sand_levels.toml",
          "carbohsp_restitution": "calibrate_carbohsp_restitution_levels.toml"}
+
+
+def between(surfaces, figure, point):
+    """The mean of a figure at a point, linear between those of the lattice."""
+    return float(np.interp(point[1], surfaces.y, [np.interp(point[0], surfaces.x, row) for row in surfaces.mean[figure]]))
+
+
+def along_the_first(calibration, count=7):
+    """A row for each of some values of the first parameter: the second with which the first figure is the laboratory's, and the
+    other figures there; it and they grow with the second parameter."""
+    surfaces, (first, *others) = calibration.surfaces, calibration.figures
+    laboratory = calibration.estimate["observables"][0]["laboratory"]
+    rows = []
+    for x in np.linspace(surfaces.x[0], surfaces.x[-1], count):
+        means = {figure: [float(np.interp(x, surfaces.x, row)) for row in surfaces.mean[figure]] for figure in calibration.figures}
+        y = float(np.interp(laboratory, means[first], surfaces.y))
+        rows.append({**dict(zip(calibration.parameters, (float(x), y))),
+                     **{figure: float(np.interp(y, surfaces.y, means[figure])) for figure in others}})
+    return rows
+
+
+def full_less_cheap(calibration):
+    """A row for each point of the full level: its figures, and less what the surfaces of the cheapest level have there."""
+    surfaces = calibration.first_level_surfaces or calibration.surfaces
+    rows = []
+    for row in contours.grid_rows(calibration):
+        if row["level"] != calibration.levels[-1] or not row["state_hash"]:
+            continue
+        point = [row[name] for name in calibration.parameters]
+        rows.append(dict(zip(calibration.parameters, point)))
+        for figure in calibration.figures:
+            if row[figure] is not None:
+                difference = row[figure] - between(surfaces, figure, point)
+                rows[-1] |= {figure: row[figure], f"{figure} less that of {calibration.levels[0]}": difference}
+    return rows
 
 
 def study(options):
@@ -14,7 +50,11 @@ def study(options):
         name = f"calibration_{case}"
         with kept(options, name):
             calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
+        differences, along = full_less_cheap(calibration), along_the_first(calibration)
+        print_table(differences, digits=4)
+        print_table(along, digits=3)
         is_complete = calibration.states["waiting"] == 0
-        save(options.results / f"{name}.json", case=case, is_complete=is_complete, **content)
+        save(options.results / f"{name}.json", case=case, is_complete=is_complete, full_less_cheap=differences, along_the_first=along,
+             **content)
         if not is_complete:
             raise SystemExit(f"{name} is not complete: the same command goes on")

@@ -73,8 +73,9 @@ KnownLevels known_levels(const CalibrationDeck& deck, std::span<const StudyRun> 
     LevelRuns below = runs_of_levels(0, level - 1, runs, records);
     KnownLevels known{deck, std::move(below.runs), std::move(below.records), {}};
     known.deck.levels.resize(level);
-    known.left_out = fmt::format("level {} is left out: {} points of it are done, a surface needs {} or more\n",
-                                 deck.levels[level].name, points, least_points);
+    known.left_out = fmt::format("level {} {} left out: {} points of it are done, a surface needs {} or more\n",
+                                 deck.levels[level].name, level + 1 < deck.levels.size() ? "and those above are" : "is",
+                                 points, least_points);
     return known;
   }
   return {deck, {runs.begin(), runs.end()}, {records.begin(), records.end()}, {}};

@@ -28,7 +28,7 @@ struct KnownLevels {
   std::string left_out;  ///< for a person: a line on the first that is not; empty: all are
 };
 
-/// The levels below the first, other than the cheapest, of which fewer points are done than a surface takes.
+/// The levels from the cheapest on, up to the first above it of which fewer points are done than a surface takes.
 KnownLevels known_levels(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                          std::span<const RunRecord> records);
 

@@ -250,6 +250,12 @@ class Calibrate(FolderTest):
         done = self.program.call("estimate", self.output, "--deck", self.write(GRID.replace("8e-6", "8.5e-6")))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotEqual(self.read("estimate.json"), own)
+        rate = GRID.replace("retained_mass_kg", "discharge_rate_kg_s").replace("22e-6", "1e-3")  # which the table does not have
+        done = self.program.call("estimate", self.output, "--deck", self.write(rate))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), self.output],
+                               capture_output=True, text=True)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
 
     def test_pictures(self):
         tool = os.path.join(self.program.source, "tools", "plot_calibration.py")

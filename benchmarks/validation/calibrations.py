@@ -9,9 +9,9 @@ CASES = {"carbohsp_friction": "calibrate_carbohsp_levels.toml", "sand_friction":
          "carbohsp_restitution": "calibrate_carbohsp_restitution_levels.toml"}
 
 
-def between(surfaces, figure, point):
-    """The mean of a figure at a point, linear between those of the lattice."""
-    return float(np.interp(point[1], surfaces.y, [np.interp(point[0], surfaces.x, row) for row in surfaces.mean[figure]]))
+def means_at(surfaces, figure, x):
+    """The means of a figure at a value of the first parameter, over the second: linear between those of the lattice."""
+    return [np.interp(x, surfaces.x, row) for row in surfaces.mean[figure]]
 
 
 def along_the_first(calibration, count=7):
@@ -21,26 +21,25 @@ def along_the_first(calibration, count=7):
     laboratory = calibration.estimate["observables"][0]["laboratory"]
     rows = []
     for x in np.linspace(surfaces.x[0], surfaces.x[-1], count):
-        means = {figure: [float(np.interp(x, surfaces.x, row)) for row in surfaces.mean[figure]] for figure in calibration.figures}
-        y = float(np.interp(laboratory, means[first], surfaces.y))
+        y = float(np.interp(laboratory, means_at(surfaces, first, x), surfaces.y))
         rows.append({**dict(zip(calibration.parameters, (float(x), y))),
-                     **{figure: float(np.interp(y, surfaces.y, means[figure])) for figure in others}})
+                     **{figure: float(np.interp(y, surfaces.y, means_at(surfaces, figure, x))) for figure in others}})
     return rows
 
 
-def full_less_cheap(calibration):
-    """A row for each point of the full level: its figures, and less what the surfaces of the cheapest level have there."""
+def full_less_cheap(calibration, grid_rows):
+    """A row for each point of the full level (contours.grid_rows): its figures, and less what the surfaces of the cheapest level have there."""
     surfaces = calibration.first_level_surfaces or calibration.surfaces
     rows = []
-    for row in contours.grid_rows(calibration):
+    for row in grid_rows:
         if row["level"] != calibration.levels[-1] or not row["state_hash"]:
             continue
-        point = [row[name] for name in calibration.parameters]
-        rows.append(dict(zip(calibration.parameters, point)))
+        x, y = (row[name] for name in calibration.parameters)
+        rows.append(dict(zip(calibration.parameters, (x, y))))
         for figure in calibration.figures:
             if row[figure] is not None:
-                difference = row[figure] - between(surfaces, figure, point)
-                rows[-1] |= {figure: row[figure], f"{figure} less that of {calibration.levels[0]}": difference}
+                cheap = float(np.interp(y, surfaces.y, means_at(surfaces, figure, x)))
+                rows[-1] |= {figure: row[figure], f"{figure} less that of {calibration.levels[0]}": row[figure] - cheap}
     return rows
 
 
@@ -50,7 +49,7 @@ def study(options):
         name = f"calibration_{case}"
         with kept(options, name):
             calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
-        differences, along = full_less_cheap(calibration), along_the_first(calibration)
+        differences, along = full_less_cheap(calibration, content["rows"]), along_the_first(calibration)
         print_table(differences, digits=4)
         print_table(along, digits=3)
         is_complete = calibration.states["waiting"] == 0

@@ -5,7 +5,6 @@ all figures should cross there; how they run tells what the test can and cannot 
 
 import json
 import statistics
-import subprocess
 import sys
 
 import numpy as np
@@ -13,6 +12,7 @@ import numpy as np
 from bench import ROOT, STOPPED, Bench, flat_floor, input_deck, places, print_table, repose, save, time_limit, values_of, vessel
 from kept_runs import kept
 from repose import plots
+from repose.program import call
 
 sys.path.insert(0, str(ROOT / "tests" / "regression"))
 from laboratories import misfit_at  # noqa: E402
@@ -123,7 +123,7 @@ def calibrate(options, name, path, rings=(), so_far=False):
         if not so_far or error.code != STOPPED:
             raise SystemExit(f"{name}: {error}") from None
         print(f"{name}: {error}")
-        print(subprocess.run([options.program, "estimate", options.work / name], check=True, capture_output=True, text=True).stdout)
+        print(call(["estimate", options.work / name], program=options.program))
         calibration = repose.Calibration(options.work / name)
     finally:
         if rings:

@@ -135,8 +135,8 @@ def sizes(options):
     and 7.5 g from the vessel of the full test."""
     for case in options.cases or SIZES:
         study, radius, sets, spacing, chosen = SIZES[case]
-        decks = {f"one_{diameter}": ("carbohsp_mono.toml", [*sets, f"particles.0.spacing={spacing * diameter:g} um", *own])
-                 for diameter, own in ((440, []), (368, ["particles.0.diameter=368 um"]))}
+        decks = {f"one_{diameter}": ("carbohsp_mono.toml", [*sets, f"particles.0.spacing={spacing * diameter:g} um",
+                                                            f"particles.0.diameter={diameter} um"]) for diameter in (440, 368)}
         decks["many"] = ("carbohsp_multi.toml", sets)
         runs = {}
         for name, (deck, own) in decks.items():

@@ -253,9 +253,7 @@ class Calibrate(FolderTest):
         rate = GRID.replace("retained_mass_kg", "discharge_rate_kg_s").replace("22e-6", "1e-3")  # which the table does not have
         done = self.program.call("estimate", self.output, "--deck", self.write(rate))
         self.assertEqual(done.returncode, 0, done.stderr)
-        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), self.output],
-                               capture_output=True, text=True)
-        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.draw(self.output)
 
     def test_pictures(self):
         tool = os.path.join(self.program.source, "tools", "plot_calibration.py")
@@ -294,9 +292,7 @@ class Calibrate(FolderTest):
             self.assertAlmostEqual(sum(values) / len(values), marginal["mean"], 6)
         if found["points"]:
             self.assertIn(f"  restitution              best {found['points'][0]['values'][1]:.4g}; ", says[0])
-        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
-                               capture_output=True, text=True)
-        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.draw(outputs[0])
         self.assertGreater(os.path.getsize(os.path.join(outputs[0], "calibration.png")), 5000)
         done = self.program.call("estimate", outputs[0], "--deck", self.write(known + MASS + RATE))
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -391,9 +387,7 @@ class Calibrate(FolderTest):
         self.assertEqual(says.returncode, 0, says.stderr)
         self.assertIn(f"small {counts['small']}", says.stdout)
         self.assertIn("0 runs in", self.calibrate(self.levels(), output=outputs[0]))
-        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
-                               capture_output=True, text=True)
-        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.draw(outputs[0])
 
     def test_a_level_with_too_few_runs_is_left_out_of_the_estimate(self):
         self.calibrate(self.levels(), ranks=3, output=self.output)
@@ -477,10 +471,14 @@ class Calibrate(FolderTest):
         done = self.program.call("estimate", outputs[0])
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.read("estimate.json", outputs[0]), self.read("estimate.json", outputs[1]))
-        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
+        self.draw(outputs[0])
+        self.assertIn("laboratory off them", self.report(outputs[0]))
+
+    def draw(self, output):
+        """The pictures of a directory."""
+        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), output],
                                capture_output=True, text=True)
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
-        self.assertIn("laboratory off them", self.report(outputs[0]))
 
     def report(self, output):
         """The page of a directory."""
@@ -558,9 +556,7 @@ class Calibrate(FolderTest):
         self.assertEqual(self.read("estimate.json", outputs[0]), self.read("estimate.json", outputs[1]))
         done = self.program.call("info", os.path.join(outputs[0], "grid.h5"))
         self.assertIn("low 8, high 12", done.stdout)
-        drawn = subprocess.run([os.path.join(self.program.source, "tools", "plot_calibration.py"), outputs[0]],
-                               capture_output=True, text=True)
-        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.draw(outputs[0])
         self.assertIn("high, sliding", self.report(outputs[0]))
 
     def test_a_search_by_several_tests_over_levels(self):

@@ -89,9 +89,7 @@ class Calibration(Study):
 
     def asked_rows(self, figure):
         """Which rows of `grid` are of the experiment that has a figure."""
-        if not self.experiments:
-            return np.ones(self.grid.rows, dtype=bool)
-        return self.grid["experiment"] == figure.split(".")[0]
+        return np.array([self.is_asked(row, figure) for row in range(self.grid.rows)], dtype=bool)
 
     @property
     def values(self):

@@ -69,10 +69,17 @@ class Study:
         the runs."""
         if figure in self.grid:
             return self.grid[figure]
-        before = [f"{name}." for name in self.grid["experiment"]] if "experiment" in self.grid else [""] * self.grid.rows
-        values = [run.figure(figure.removeprefix(own)) if run is not None and run.is_complete and figure.startswith(own) else None
-                  for run, own in zip(self.runs, before)]
+        values = [run.figure(figure.removeprefix(self.before(row)))
+                  if run is not None and run.is_complete and self.is_asked(row, figure) else None for row, run in enumerate(self.runs)]
         return np.array([math.nan if value is None else value for value in values])
+
+    def before(self, row):
+        """What stands before the names of a row's figures."""
+        return f"{self.grid['experiment'][row]}." if "experiment" in self.grid else ""
+
+    def is_asked(self, row, figure):
+        """Whether a row is of the experiment that has a figure."""
+        return figure.startswith(self.before(row))
 
     @functools.cached_property
     def folders(self):

@@ -57,28 +57,20 @@ class Runs:
     def value(self, row, figure):
         """Value and standard error within the run; None where there is none."""
         run = self.runs[row]
-        if run is None or not self.is_asked(row, figure):
+        if run is None or not self.study.is_asked(row, figure):
             return None, None
-        key = figure.removeprefix(self.experiment(row))
+        key = figure.removeprefix(self.study.before(row))
         try:
             return run.figure(key), run.error(key)
         except ReposeError:  # the score of a curve
             value = self.grid[figure][row] if figure in self.grid else float("nan")
             return (float(value), None) if value == value else (None, None)
 
-    def experiment(self, row):
-        """What stands before the names of a row's figures."""
-        return f"{self.grid['experiment'][row]}." if "experiment" in self.grid else ""
-
-    def is_asked(self, row, figure):
-        """Whether a row is of the experiment that has a figure."""
-        return figure.startswith(self.experiment(row))
-
     def text(self, row):
         """For the pointer: the run and its figures."""
         lines = [self.name(row), self.grid["state"][row]]
         for figure in self.figures:
-            if not self.is_asked(row, figure):
+            if not self.study.is_asked(row, figure):
                 continue
             value, error = self.value(row, figure)
             name, unit, factor = numbers.display(figure)
@@ -172,7 +164,7 @@ def warnings(runs):
                      "for no other figure.")
     for figure in runs.figures:
         without = [row for row in range(grid.rows) if grid["state"][row] == "done"
-                   and runs.is_asked(row, figure) and runs.value(row, figure)[0] is None]
+                   and runs.study.is_asked(row, figure) and runs.value(row, figure)[0] is None]
         if without:
             found.append(f"No {numbers.name(figure)} in {len(without)} of the runs that are done: "
                          f"{links(runs, without)}.")

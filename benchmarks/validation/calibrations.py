@@ -27,15 +27,16 @@ def along_the_first(calibration, count=7):
     return rows
 
 
-def full_less_cheap(calibration, grid_rows):
-    """A row for each point of the full level (contours.grid_rows): its figures, and less what the surfaces of the cheapest level have there."""
+def above_the_cheapest(calibration, grid_rows):
+    """A row for each point of the levels above the cheapest (of contours.grid_rows): its figures, and less what the surfaces of
+    the cheapest have there."""
     surfaces = calibration.first_level_surfaces or calibration.surfaces
     rows = []
     for row in grid_rows:
-        if row["level"] != calibration.levels[-1] or not row["state_hash"]:
+        if row["level"] == calibration.levels[0] or not row["state_hash"]:
             continue
         x, y = (row[name] for name in calibration.parameters)
-        rows.append(dict(zip(calibration.parameters, (x, y))))
+        rows.append({"level": row["level"], **dict(zip(calibration.parameters, (x, y)))})
         for figure in calibration.figures:
             if row[figure] is not None:
                 cheap = float(np.interp(y, surfaces.y, means_at(surfaces, figure, x)))
@@ -49,11 +50,11 @@ def study(options):
         name = f"calibration_{case}"
         with kept(options, name):
             calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
-        differences, along = full_less_cheap(calibration, content["rows"]), along_the_first(calibration)
+        differences, along = above_the_cheapest(calibration, content["rows"]), along_the_first(calibration)
         print_table(differences, digits=4)
         print_table(along, digits=3)
         is_complete = calibration.states["waiting"] == 0
-        save(options.results / f"{name}.json", case=case, is_complete=is_complete, full_less_cheap=differences, along_the_first=along,
+        save(options.results / f"{name}.json", case=case, is_complete=is_complete, above_the_cheapest=differences, along_the_first=along,
              **content)
         if not is_complete:
             raise SystemExit(f"{name} is not complete: the same command goes on")

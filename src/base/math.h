@@ -3,6 +3,7 @@
 namespace repose {
 
 inline constexpr double pi = 3.141592653589793;
+inline constexpr double degree = pi / 180.0;  ///< rad
 
 /// Natural logarithm of x > 0, within 2 ulp, by arithmetic only: the same bits on every machine. (libm chooses variants
 /// with fused multiply-adds at load time, whose results differ.)

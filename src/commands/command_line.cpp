@@ -24,6 +24,10 @@ class Text : public Command {
   std::string text_;
 };
 
+std::string nothing_named(const std::string& path) {
+  return fmt::format("nothing to do: name a command; see {} --help", path);
+}
+
 std::string joined_lines(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -46,7 +50,7 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error, int argc,
   if (commands.empty() || (words < argc && argv[words][0] == '-')) {
     return fmt::format("{}; see {} --help", joined_lines(error.what()), path);
   }
-  if (words == argc) return fmt::format("nothing to do: name a command; see {} --help", path);
+  if (words == argc) return nothing_named(path);
   return fmt::format("there is no command \"{}\"; did you mean {}? {} --help lists them", argv[words],
                      nearest(argv[words], commands), path);
 }
@@ -99,7 +103,7 @@ CommandLine parse_command_line(int argc, char** argv) {
   for (Offer& offer : offers) {
     if (offer.app->parsed()) return {std::move(offer.command), offer.entry.need};
   }
-  throw DeckError("nothing to do: name a command; see repose --help");
+  throw DeckError(nothing_named(app.get_name()));
 }
 
 }  // namespace repose

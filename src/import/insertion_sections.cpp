@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/core.h>
 
+#include "base/math.h"
 #include "scene/particles/sphere_mass.h"
 
 namespace repose {
@@ -66,7 +66,7 @@ struct DeckRegion {
 
   double volume() const {
     const Vec3 size = box.max - box.min;
-    return is_box ? size.x * size.y * size.z : std::numbers::pi * radius * radius * height;
+    return is_box ? size.x * size.y * size.z : pi * radius * radius * height;
   }
   /// How far a grain moves along a direction until it has surely left.
   double length_along(const Vec3& way) const {

@@ -1,12 +1,11 @@
 #include "import/mesh_place.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/math.h"
 
 namespace repose {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// A turn: cosine of half its angle, and the axis times the sine.
 struct Quaternion {

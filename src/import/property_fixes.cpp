@@ -1,8 +1,8 @@
 #include <cmath>
-#include <numbers>
 
 #include <fmt/core.h>
 
+#include "base/math.h"
 #include "import/translate.h"
 
 namespace repose {
@@ -30,7 +30,7 @@ void gravity(Translation& to, Words& words) {
   if (style == "vector") {
     direction = words.vector("the direction of gravity");
   } else if (style == "chute") {
-    const double angle = words.number("the angle of the chute") * std::numbers::pi / 180.0;
+    const double angle = words.number("the angle of the chute") * pi / 180.0;
     direction = {std::sin(angle), 0.0, -std::cos(angle)};
   } else {
     words.fail(fmt::format("gravity {}: vector and chute are known", style));

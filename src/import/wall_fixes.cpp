@@ -1,8 +1,8 @@
 #include <cmath>
-#include <numbers>
 
 #include <fmt/core.h>
 
+#include "base/math.h"
 #include "import/mesh_place.h"
 #include "import/translate.h"
 
@@ -215,7 +215,7 @@ MotionDeck motion(const std::string& style, Words& words, const ScriptUnits& uni
     motion.frequency = over_period(1.0, words, units);
   } else {
     motion = rotation(words, units);
-    motion.angular_velocity = over_period(2.0 * std::numbers::pi, words, units);
+    motion.angular_velocity = over_period(2.0 * pi, words, units);
   }
   return motion;
 }

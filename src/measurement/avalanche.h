@@ -7,7 +7,7 @@ namespace repose {
 /// Looks for the first avalanche on the surface of a bed that becomes steeper: that its slope falls.
 class Avalanche {
  public:
-  static constexpr double fall = 2.0 * pi / 180.0;  ///< rad, of the slope: more than single grains that give way
+  static constexpr double fall = 2.0 * degree;  ///< rad, of the slope: more than single grains that give way
 
   /// To be called at regular intervals with the slope of the surface and the tilt of the vessel, both in rad from the
   /// horizontal and positive where it tilts to. Does nothing once an avalanche has been seen.

@@ -8,6 +8,8 @@
 
 namespace repose::photo {
 
+inline constexpr double most_pixels = 4e8;  ///< of an image that is read or drawn
+
 /// Grey values from 0 (black) to 1 (white), row by row from the top. The centre of the first pixel is at (0, 0), x is
 /// to the right, y downwards.
 struct Image {

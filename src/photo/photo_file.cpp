@@ -14,8 +14,6 @@
 namespace repose::photo {
 namespace {
 
-constexpr double most_pixels = 4e8;
-
 struct DestroyPix {
   void operator()(Pix* pix) const { pixDestroy(&pix); }
 };

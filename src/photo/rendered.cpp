@@ -15,8 +15,7 @@ namespace {
 
 constexpr float background = 0.12F;
 constexpr float brightest = 0.9F;
-constexpr double ambient = 0.4;  // share of the light that comes from everywhere
-constexpr double most_pixels = 4e8;
+constexpr double ambient = 0.4;         // share of the light that comes from everywhere
 constexpr double margin = 0.1;          // of the width of what is shown, on each side
 constexpr Vec3 lamp{-0.4, 0.5, 0.768};  // towards it, of unit length: to the right, up, to the camera
 

@@ -13,7 +13,6 @@ namespace repose {
 namespace {
 
 constexpr double everything = std::numeric_limits<double>::infinity();
-constexpr double degree = pi / 180.0;
 
 AngleOfRepose measure(const std::vector<Sphere>& grains, const AngleOfReposeParameters& parameters = {}) {
   const auto result = angle_of_repose(find_pile(grains, parameters.plate_height, everything), parameters);

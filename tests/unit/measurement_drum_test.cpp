@@ -80,7 +80,6 @@ TEST(SurfaceAngle, AtRestIsThatOfWholeColumns) {
 }
 
 TEST(Avalanche, IsTheFirstFallOfTheSlopeByMoreThanTwoDegrees) {
-  constexpr double degree = pi / 180.0;
   Avalanche avalanche;
   for (int k = 0; k <= 30;
        ++k) {  // the bed creeps, and a grain that gives way makes the surface less steep for a while

@@ -11,7 +11,6 @@ namespace repose {
 namespace {
 
 constexpr double slower = 0.5;
-constexpr double degree = pi / 180.0;
 
 /// The same deck at another rate of tilt, with as much more time to tilt.
 Deck at_rate(Deck deck, double factor) {

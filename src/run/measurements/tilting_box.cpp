@@ -12,8 +12,6 @@
 namespace repose {
 namespace {
 
-constexpr double degree = pi / 180.0;
-
 /// The slope of the bed in a box that tilts: what it had come to when the first avalanche went down, and at the end.
 class TiltingBoxWatch : public Watch {
  public:

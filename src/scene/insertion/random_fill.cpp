@@ -8,9 +8,9 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
-#include "base/math.h"
 #include "scene/insertion/region.h"
 #include "scene/insertion/sphere_grid.h"
+#include "scene/particles/sphere_mass.h"
 
 namespace repose {
 namespace {
@@ -66,8 +66,8 @@ std::vector<Vec3> random_fill(const ParticlesDeck& fill, std::span<const double>
                               std::uint64_t seed, const std::vector<Wall>& walls, const std::string& block) {
   const FreePlaces places = place(fill, radii, first_id, seed, walls);
   if (places.placed == radii.size()) return places.position;
-  const double volume = std::accumulate(radii.begin(), radii.end(), 0.0,
-                                        [](double sum, double r) { return sum + 4.0 / 3.0 * pi * (r * r * r); });
+  const double volume =
+      std::accumulate(radii.begin(), radii.end(), 0.0, [](double sum, double r) { return sum + sphere_volume(r); });
   const auto fits = [&](const ParticlesDeck& trial) {
     return place(trial, radii, first_id, seed, walls).placed == radii.size();
   };

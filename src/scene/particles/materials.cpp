@@ -26,7 +26,7 @@ double greatest_pull(const PairParameters& pair, double radius, double overlap) 
 
 CapillaryBridge make_bridge(const PairCoefficients& pair) {
   if (!(pair.surface_tension > 0.0) || !(pair.bridge_volume > 0.0)) return {};
-  const double angle = pair.contact_angle * (pi / 180.0);
+  const double angle = pair.contact_angle * degree;
   const double distance = (1.0 + 0.5 * angle) * odd_root<3>(pair.bridge_volume);
   return {4.0 * pi * pair.surface_tension * sin_cos_reproducible(angle).cosine, distance, 1.0 / distance};
 }

@@ -22,7 +22,7 @@ namespace {
 /// Exact for multiples of a right angle.
 SineCosine sin_cos_of_degrees(double angle) {
   const double quarters = std::floor(angle / 90.0 + 0.5);
-  return turned_by_quarters(sin_cos_reproducible((angle - 90.0 * quarters) * (pi / 180.0)), quarters);
+  return turned_by_quarters(sin_cos_reproducible((angle - 90.0 * quarters) * degree), quarters);
 }
 
 void place(const MeshPlacement& placement, TriangleMesh& mesh) {

@@ -31,7 +31,6 @@ Servo::Servo(const ServoDeck& deck)
 
 Servo::Limits Servo::limits_of(const ServoDeck& deck) {
   if (deck.type == ServoType::translation) return {deck.force, deck.max_speed, deck.max_way, deck.min_way};
-  constexpr double degree = pi / 180.0;
   return {deck.torque, deck.max_angular_velocity, degree * deck.max_angle, degree * deck.min_angle};
 }
 

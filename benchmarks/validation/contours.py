@@ -123,7 +123,10 @@ def calibrate(options, name, path, rings=(), so_far=False):
         if not so_far or error.code != STOPPED:
             raise SystemExit(f"{name}: {error}") from None
         print(f"{name}: {error}")
-        print(call(["estimate", options.work / name], program=options.program))
+        try:
+            print(call(["estimate", options.work / name], program=options.program))
+        except repose.ReposeError as too_few:
+            raise SystemExit(f"{name}: {too_few}") from None
         calibration = repose.Calibration(options.work / name)
     finally:
         if rings:

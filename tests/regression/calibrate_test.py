@@ -420,7 +420,7 @@ class Calibrate(FolderTest):
         alone = whole["first_level_alone"]
         self.assertEqual({key: found[key] for key in ("verdict", "points", "parts", "surfaces")},
                          {key: alone[key] for key in ("verdict", "points", "parts", "surfaces")})
-        self.assertIn("small", self.report(self.output))
+        self.assertIn("Left out of the estimate: large. Too few points of large are done", self.report(self.output))
 
     def test_wrong_levels_are_refused(self):
         def wrong(old, new, message):

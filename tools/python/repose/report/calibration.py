@@ -196,6 +196,10 @@ def levels(found):
     rows = [[html.escape(level["name"]), numbers.count(level["points"]), numbers.count(level["runs"]),
              numbers.data(numbers.plain(level["core_hours"], 3), level["core_hours"])] for level in estimate["levels"]]
     text = html.table(["level", "points", "runs", "core-hours"], rows, numeric=(1, 2, 3))
+    left_out = found.levels[len(rows):]  # see known_levels in src/campaign/level_report.h
+    if left_out:
+        text += html.paragraph(html.escape(f"Left out of the estimate: {' and '.join(left_out)}. Too few points of {left_out[0]} are "
+                                           "done for a surface as yet."))
     links = [[numbers.name(o["figure"]), html.escape(f"{link['level']} of {link['below']}"),
               numbers.number("rho", link["rho"], link["rho_standard_error"]),
               numbers.data(f"{100 * link['explained']:.0f} %" if link["explained"] is not None else "none",

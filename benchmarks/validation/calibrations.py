@@ -21,7 +21,10 @@ def along_the_first(calibration, count=7):
     laboratory = calibration.estimate["observables"][0]["laboratory"]
     rows = []
     for x in np.linspace(surfaces.x[0], surfaces.x[-1], count):
-        y = float(np.interp(laboratory, means_at(surfaces, first, x), surfaces.y))
+        means = means_at(surfaces, first, x)
+        if not min(means) <= laboratory <= max(means):
+            continue
+        y = float(np.interp(laboratory, means, surfaces.y))
         rows.append({**dict(zip(calibration.parameters, (float(x), y))),
                      **{figure: float(np.interp(y, surfaces.y, means_at(surfaces, figure, x))) for figure in others}})
     return rows

@@ -15,8 +15,8 @@ def means_at(surfaces, figure, x):
 
 
 def along_the_first(calibration, count=7):
-    """A row for each of some values of the first parameter: the second with which the first figure is the laboratory's, and the
-    other figures there; it and they grow with the second parameter."""
+    """A row for each of some values of the first parameter, where there is one: the second with which the first figure is the
+    laboratory's, and the other figures there; it and they grow with the second parameter."""
     surfaces, (first, *others) = calibration.surfaces, calibration.figures
     laboratory = calibration.estimate["observables"][0]["laboratory"]
     rows = []
@@ -57,7 +57,7 @@ def study(options):
         print_table(differences, digits=4)
         print_table(along, digits=3)
         is_complete = calibration.states["waiting"] == 0
-        save(options.results / f"{name}.json", case=case, is_complete=is_complete, above_the_cheapest=differences, along_the_first=along,
-             **content)
+        save(options.results / f"{name}.json", case=case, is_complete=is_complete, above_the_cheapest=differences,
+             along_the_first=along, **content)
         if not is_complete:
             raise SystemExit(f"{name} is not complete: the same command goes on")

@@ -128,7 +128,8 @@ struct GeneralLaw {
       const Real pull = select(touches(contact), 2.0 * jkr_pull_off_force(pair, contact.radius_eff), Real{});
       return normal_force + k.normal_damping * contact.normal_velocity + pull;
     }
-    return pair.options.cohesion_in_friction ? with_cohesion(pair, contact, normal_force) : normal_force;
+    if (!pair.options.cohesion_in_friction) return normal_force;
+    return select(contact.overlap > Real{}, with_cohesion(pair, contact, normal_force), normal_force);
   }
 
   template <class Real>

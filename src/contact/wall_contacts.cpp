@@ -88,6 +88,11 @@ void WallContacts::find_contacts(std::span<const Wall> walls, const Particles& p
   }
 }
 
+void WallContacts::locate(std::span<const Wall> walls, const Particles& particles) {
+  WallAlarms ignored;
+  find_contacts(walls, particles, ignored);
+}
+
 WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls, const MaterialTable& materials,
                                   double dt, double max_overlap, Particles& particles) {
   WallAlarms alarms;

@@ -63,6 +63,9 @@ class WallContacts {
   WallAlarms evaluate(VectorLevel level, std::span<const Wall> walls, const MaterialTable& materials, double dt,
                       double max_overlap, Particles& particles);
 
+  /// Finds where the contacts of the last evaluation are: a build gives them their histories alone.
+  void locate(std::span<const Wall> walls, const Particles& particles);
+
   /// Calls visit(particle, touch) for what is nearer to the surface of an owned particle than `share` of its radius,
   /// which the reaches of the last build must have covered. False when there was more at a particle than a TouchBuffer
   /// holds; the rest is left out.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/particles/periodicity.h"
 #include "scene/particles/sphere_mass.h"
 
 namespace repose {
@@ -49,9 +50,7 @@ void retire_leavers(const DomainDeck& domain, std::span<const ExitDeck> exits, c
   for (std::size_t i = 0; i < particles.owned; ++i) {
     ParticleRecord& p = particles.record[i];
     const Vec3 x = particles.position(i);
-    // A NaN has not left: a guard finds it (guards.h).
-    const bool outside = x.x < low.x || x.x >= high.x || x.y < low.y || x.y >= high.y || x.z < low.z || x.z >= high.z;
-    if (!outside || is_parked(p)) continue;
+    if (!is_outside(domain, x) || is_parked(p)) continue;
     const std::array<double, 6> beyond = {low.x - x.x,  x.x - high.x, low.y - x.y,
                                           x.y - high.y, low.z - x.z,  x.z - high.z};
     const auto face = static_cast<std::size_t>(std::max_element(beyond.begin(), beyond.end()) - beyond.begin());

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/particles/periodicity.h"
+
 namespace repose {
 
 HeldParticles::HeldParticles(const Deck& deck, const Insertion& insertion) {
@@ -33,7 +35,10 @@ void HeldParticles::list(Particles& particles) {
     const auto block = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return b.contains(id); });
     if (block == blocks_.end()) continue;
     particles.torque_to_acceleration[i] = 0.0;
-    if (!block->held) continue;
+    if (!block->held) {
+      particles.record[i].spin = {};  // of a list
+      continue;
+    }
     particles.force_to_acceleration[i] = 0.0;
     const Vec3 position = block->motions.empty() ? particles.record[i].position
                                                  : block->start[static_cast<std::size_t>(id - block->first)];
@@ -59,6 +64,13 @@ void HeldParticles::hold(Particles& particles) const {
     p.velocity = placement.motion.at(p.position);
     p.spin = placement.motion.angular_velocity;
   }
+}
+
+bool HeldParticles::is_any_outside(const DomainDeck& domain, const Particles& particles) const {
+  return std::any_of(held_.begin(), held_.end(), [&](const Held& held) {
+    const ParticleRecord& p = particles.record[held.index];
+    return !is_parked(p) && is_outside(domain, p.position);
+  });
 }
 
 std::size_t HeldParticles::find_moved(std::span<const Mark> marks, const Particles& particles,

@@ -37,6 +37,8 @@ class HeldParticles {
   void hold(Particles& particles) const;
   /// Those of them that have used up their skins, where hold has put them, into `moved`. How many they are.
   std::size_t find_moved(std::span<const Mark> marks, const Particles& particles, std::span<std::int32_t> moved) const;
+  /// Whether hold has put one of them out of the domain that is not parked.
+  bool is_any_outside(const DomainDeck& domain, const Particles& particles) const;
   std::size_t listed() const { return held_.size(); }
 
  private:

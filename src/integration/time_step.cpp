@@ -173,4 +173,9 @@ double time_step_excess(const TimeStep& step, double speed) {
   return std::max(hertz, step.step / step.rayleigh_limit);
 }
 
+double greatest_speed(const TimeStep& step, double excess) {
+  if (step.hooke_limit < infinite) return infinite;
+  return power_fifth(excess * step.hertz_limit_at_1 / step.step);
+}
+
 }  // namespace repose

@@ -46,11 +46,15 @@ struct SmallestRadii {
   std::vector<double> of_material;
 };
 
-/// Chooses the time step (thesis section 2.4), or checks the given one: DeckError when it exceeds a limit, naming it, or
-/// when there is neither a given one nor a limit.
+/// Chooses the time step (thesis section 2.4), or checks the given one: DeckError when it exceeds a limit, naming it,
+/// or when there is neither a given one nor a limit.
 TimeStep choose_time_step(const Deck& deck, const MaterialTable& materials, const SmallestRadii& radii, double speed);
 
 /// The step over the tighter of both limits at the true greatest speed (m/s): above 1 the criteria are violated.
 double time_step_excess(const TimeStep& step, double speed);
+
+/// The speed (m/s) up to which the criteria are violated by this excess or less; infinity when they do not depend on
+/// it.
+double greatest_speed(const TimeStep& step, double excess);
 
 }  // namespace repose

@@ -57,6 +57,17 @@ Alarm too_far(const GuardView& view, std::size_t i) {
                               0.5 * longest_way / share * view.dt));
 }
 
+Alarm too_fast(const GuardView& view, const TimeStep& time_step, std::size_t i) {
+  const double speed = speed_of(view.particles.record[i]);
+  return alarm_at(
+      view, i, view.particles.record[i].position,
+      fmt::format("particle {} at {} moves at {:.3g} m/s, for which the time step {:.3g} s is {:.2f} times its "
+                  "criterion (expected {:.3g} m/s; an error at {:g}); set time.expected_speed to {:.3g} or shorten "
+                  "time.step",
+                  view.particles.id[i], place_text(view.particles.position(i)), speed, time_step.step,
+                  time_step_excess(time_step, speed), time_step.speed, greatest_excess, speed));
+}
+
 /// Beyond half of the range. A sum that has wrapped lies there, too, unless it were beyond three halves.
 bool is_nearly_full(const ForceSum& sum) {
   const auto beyond = [](std::int64_t s) { return s >= std::int64_t{1} << 62 || s < -(std::int64_t{1} << 62); };
@@ -105,6 +116,15 @@ std::optional<Alarm> find_unfit(const GuardView& view) {
   return {};
 }
 
+std::optional<Alarm> find_too_fast(const GuardView& view, const TimeStep& time_step) {
+  const double greatest = greatest_speed(time_step, greatest_excess);
+  for (std::size_t i = 0; i < view.particles.owned; ++i) {
+    const ParticleRecord& p = view.particles.record[i];
+    if (!is_parked(p) && speed_of(p) > greatest) return too_fast(view, time_step, i);
+  }
+  return {};
+}
+
 std::vector<std::int32_t> crowded_particles(std::span<const IndexPair> near, std::size_t owned) {
   std::vector<std::size_t> count(owned, 0);
   std::vector<std::int32_t> crowded;
@@ -143,27 +163,13 @@ std::optional<std::size_t> fastest_particle(const Particles& particles) {
   return fastest;
 }
 
-std::optional<std::string> check_time_step(const Communicator& comm, const GuardView& view, const TimeStep& time_step,
-                                           std::optional<std::size_t> fastest_here, bool wanted) {
-  const Particles& particles = view.particles;
-  const double speed_here = fastest_here ? norm(particles.record[*fastest_here].velocity) : -1.0;
+std::optional<std::string> warning_of_time_step(const Communicator& comm, const GuardView& view,
+                                                const TimeStep& time_step, std::optional<std::size_t> fastest_here) {
+  const double speed_here = fastest_here ? norm(view.particles.record[*fastest_here].velocity) : -1.0;
   const double fastest = comm.max(speed_here);
-  if (fastest < 0.0) return {};
-  const double excess = time_step_excess(time_step, fastest);
-  const bool is_error = excess > 2.0;
-  if (!is_error && !(wanted && excess > 1.0 + 1e-9)) return {};
-
+  if (fastest < 0.0 || !(time_step_excess(time_step, fastest) > 1.0 + 1e-9)) return {};
   std::optional<Alarm> alarm;
-  if (speed_here == fastest) {
-    const Vec3 place = particles.position(*fastest_here);
-    alarm = alarm_at(view, *fastest_here, particles.record[*fastest_here].position,
-                     fmt::format("particle {} at {} moves at {:.3g} m/s, for which the time step {:.3g} s is {:.2f} "
-                                 "times its criterion (expected {:.3g} m/s; an error at 2); set time.expected_speed to "
-                                 "{:.3g} or shorten time.step",
-                                 particles.id[*fastest_here], place_text(place), fastest, time_step.step, excess,
-                                 time_step.speed, fastest));
-  }
-  if (is_error) throw_if_any(comm, alarm);
+  if (speed_here == fastest) alarm = too_fast(view, time_step, *fastest_here);
   return agree_on(comm, alarm)->message;
 }
 

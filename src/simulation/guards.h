@@ -62,6 +62,13 @@ std::string place_text(const Vec3& place);
 /// moves by longest_way of its radius in a step (velocity_verlet.h). Nothing when all are fit.
 std::optional<Alarm> find_unfit(const GuardView& view);
 
+/// The time step may be so many times its criteria for a particle's true speed before a run stops.
+inline constexpr double greatest_excess = 2.0;
+
+/// The first owned particle that is faster; nothing when there is none. To be asked at each step: an answer that
+/// depended on when lists are made would differ from one number of ranks to another.
+std::optional<Alarm> find_too_fast(const GuardView& view, const TimeStep& time_step);
+
 /// So many contributions and as many again, with those of walls, are less than a force sum holds, each being in its own
 /// range (contact/fixed_point.h).
 constexpr std::size_t crowd = 2000;
@@ -76,9 +83,9 @@ std::optional<Alarm> find_full_sum(const GuardView& view, std::span<const std::i
 /// Of the owned ones; nothing when there is none.
 std::optional<std::size_t> fastest_particle(const Particles& particles);
 
-/// Collective. The criteria of the time step with the fastest particle of all ranks, by fastest_particle of each:
-/// GuardError beyond twice the share; beyond the share a warning, the same on all ranks, if one is `wanted`.
-std::optional<std::string> check_time_step(const Communicator& comm, const GuardView& view, const TimeStep& time_step,
-                                           std::optional<std::size_t> fastest_here, bool wanted);
+/// Collective. A warning, the same on all ranks, when the time step is beyond its criteria for the fastest particle of
+/// all ranks, by fastest_particle of each.
+std::optional<std::string> warning_of_time_step(const Communicator& comm, const GuardView& view,
+                                                const TimeStep& time_step, std::optional<std::size_t> fastest_here);
 
 }  // namespace repose

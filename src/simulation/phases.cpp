@@ -21,7 +21,8 @@ bool is_load_reached(const PhaseDeck& phase, const Simulation& simulation) {
 }  // namespace
 
 std::int64_t steps_for(double time, double timestep) {
-  return std::max<std::int64_t>(0, static_cast<std::int64_t>(std::rint(time / timestep)));
+  constexpr double most = 2e18;  // no run comes to its end, and sums of some are still in range
+  return static_cast<std::int64_t>(std::clamp(std::rint(time / timestep), 0.0, most));
 }
 
 std::int64_t longest_steps(const PhaseDeck& phase, double timestep) {

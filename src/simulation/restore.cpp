@@ -74,6 +74,7 @@ void Simulation::restore(Particles particles, ContactMemory memory, const ExitCo
   const RunCounters counters = std::exchange(counters_, {});  // a first rebuild bisects anew
   rebuild_lists(std::move(memory));
   bring_back(comm_, decomposition_, sums, particles_);  // a rebuild drops them: mostly it comes right before the forces
+  wall_contacts_.locate(walls(), particles_);
   counters_ = counters;
   counters_.peak_ghosts = static_cast<std::int64_t>(particles_.ghosts());
   if (heat_) heat_->set_ledger(comm_.is_root() ? heat : HeatLedger::none(walls().size()));

@@ -50,6 +50,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   const double largest = growth * insertion.largest_radius();
   const double adhesion_range = longest_holding_distance(materials_, smallest, largest);
   safe_step_ = longest_way / std::sqrt(3.0) * smallest;
+  slow_step_ = greatest_speed(time_step_, greatest_excess) * time_step_.step / std::sqrt(3.0);
   if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion, mass_growth);
   const double heat_share = heat_ ? heat_->state().conductance().reach_share() : 0.0;
   const double longest = longest_skin(particles_.periodic, largest * (1.0 + heat_share) + adhesion_range,
@@ -139,8 +140,10 @@ void Simulation::move(std::int64_t k, double dt) {
   const StepNotes notes = halves(level_, scene_.gravity(), dt, open_domain_, watch_.inner_marks(), moved_, particles_);
   const bool may_be_unfit = notes.nowhere || notes.longest_step >= safe_step_;
   if (may_be_unfit && !alarm_) alarm_ = find_unfit(guard_view(steps_ + 1));
+  if (notes.longest_step >= slow_step_ && !alarm_) alarm_ = find_too_fast(guard_view(steps_ + 1), time_step_);
   scene_.step(dt, particles_);
-  if (notes.outside > parked_ && !alarm_) count_leavers();
+  const bool any_leaves = notes.outside > parked_ || scene_.held().is_any_outside(open_domain_, particles_);
+  if (any_leaves && !alarm_) count_leavers();
   const std::span<const std::int32_t> moved = find_moved(notes.moved);
   const bool outer_used_up = agree_on_rebuild(moved);
   const bool enter = steps_ + 1 == pouring_.next_step() && pour();
@@ -238,8 +241,10 @@ void Simulation::check_time_step() {
   const std::int64_t step = counters_.rebuilds == 0 ? steps_ : steps_ + 1;
   const std::optional<std::size_t> fastest = fastest_particle(particles_);
   checked_speed_ = std::max(time_step_.speed, fastest ? norm(particles_.record[*fastest].velocity) : 0.0);
-  const std::optional<std::string> warning =
-      repose::check_time_step(comm_, guard_view(step), time_step_, fastest, !warned_of_time_step_);
+  const bool at_start = counters_.rebuilds == 0 && steps_ == 0;
+  if (at_start) throw_if_any(comm_, find_too_fast(guard_view(step), time_step_));
+  if (warned_of_time_step_) return;
+  const std::optional<std::string> warning = warning_of_time_step(comm_, guard_view(step), time_step_, fastest);
   if (!warning) return;
   warned_of_time_step_ = true;
   warn(*warning);

@@ -190,6 +190,7 @@ class Simulation {
   RunCounters counters_;
   double checked_speed_ = 0.0;         ///< m/s, the greatest that the criteria of the time step have seen here
   double safe_step_ = 0.0;             ///< m: who moves by less along each axis has not moved by longest_way
+  double slow_step_ = 0.0;             ///< m: nor is it too fast for the time step
   std::vector<std::int32_t> crowded_;  ///< particles whose force sums could come to be full
   std::optional<Alarm> alarm_;         ///< the first guard hit on this rank
   bool warned_of_time_step_ = false;

@@ -198,7 +198,7 @@ class Restart : public testing::Test {
   /// The summary, or none when it was stopped after so many looks at whether it should be (0: never).
   std::optional<Summary> run(const Communicator& comm, const std::string& name, int looks, bool restart,
                              const std::vector<std::string>& overrides = {}) const {
-    const Deck deck = read_deck(scene, "scene.toml", overrides);
+    const Deck deck = read_deck(deck_, "scene.toml", overrides);
     OutputOptions options;
     options.directory = folder(name);
     options.resolved_deck = resolved_deck(deck);
@@ -225,6 +225,7 @@ class Restart : public testing::Test {
     }
   }
 
+  std::string deck_ = scene;
   Communicator world_{MPI_COMM_WORLD};
   ScratchFolder folder_{world_, "repose_restart"};
 };
@@ -254,6 +255,23 @@ TEST_F(Restart, EndsAsARunThatWasNeverStopped) {
   expect_same_files("whole", "parts");
   const std::string walls = text_of(folder("parts") + "/walls.csv");
   EXPECT_NE(walls.find(",press_way_m,flap_angle_deg,"), std::string::npos) << walls.substr(0, walls.find('\n'));
+}
+
+// A phase that asks for the load on a wall asks right after a restart, before any step.
+TEST_F(Restart, TheLoadOnAWallIsKnownAtOnce) {
+  const std::string steps = "until = \"steps\"\nsteps = 4500";
+  deck_.replace(
+      deck_.find(steps), steps.size(),
+      "until = \"wall_torque\"\nwall = \"floor\"\ntorque = 1.0\naxis_origin = [0, 0, 0]\naxis_direction = [0, 1, 0]"
+      "\nmax_time = 0.03");
+  const std::optional<Summary> whole = run(world_, "whole", 0, false);
+  ASSERT_TRUE(whole);
+  EXPECT_FALSE(run(world_, "parts", 9, false));
+  std::optional<Summary> parts;
+  while (!parts) parts = run(world_, "parts", 11, true);
+  EXPECT_EQ(parts->phases.back().ended_by, "max_time");
+  EXPECT_EQ(parts->steps, whole->steps);
+  EXPECT_EQ(parts->state_hash, whole->state_hash);
 }
 
 TEST_F(Restart, GoesOnOnAnotherNumberOfRanks) {

@@ -22,6 +22,12 @@ double grid_spacing(double min, double max) {
 
 }  // namespace
 
+bool is_outside(const DomainDeck& domain, const Vec3& x) {
+  const Vec3 low = domain.min;
+  const Vec3 high = domain.max;
+  return x.x < low.x || x.x >= high.x || x.y < low.y || x.y >= high.y || x.z < low.z || x.z >= high.z;
+}
+
 Periodicity::Periodicity(const DomainDeck& domain) : any_(!domain.periodic.empty()) {
   for (const Axis axis : domain.periodic) {
     double Vec3::*a = component(axis);

@@ -12,6 +12,9 @@ namespace repose {
 
 struct DomainDeck;
 
+/// Whether a position is beyond the bounds. One that is NaN is not: a guard finds it (simulation/guards.h).
+bool is_outside(const DomainDeck& domain, const Vec3& x);
+
 /// The directions in which the domain repeats itself; none by default. There all positions are multiples of a power of
 /// two, so fine that a double near the domain resolves no more, and so coarse that bounds, lengths and positions up to
 /// a length beyond the bounds are exact. Then a shift by a length rounds nothing: the state evolves with the same bits

@@ -14,6 +14,11 @@ def means_at(surfaces, figure, x):
     return [np.interp(x, surfaces.x, row) for row in surfaces.mean[figure]]
 
 
+def mean_at(surfaces, figure, x, y):
+    """The mean of a figure at a point between those of the lattice, linear in both parameters."""
+    return float(np.interp(y, surfaces.y, means_at(surfaces, figure, x)))
+
+
 def along_the_first(calibration, count=7):
     """A row for each of some values of the first parameter, where there is one: the second with which the first figure is the
     laboratory's, and the other figures there; it and they grow with the second parameter."""
@@ -26,7 +31,7 @@ def along_the_first(calibration, count=7):
             continue
         y = float(np.interp(laboratory, means, surfaces.y))
         rows.append({**dict(zip(calibration.parameters, (float(x), y))),
-                     **{figure: float(np.interp(y, surfaces.y, means_at(surfaces, figure, x))) for figure in others}})
+                     **{figure: mean_at(surfaces, figure, x, y) for figure in others}})
     return rows
 
 
@@ -42,8 +47,8 @@ def above_the_cheapest(calibration, grid_rows):
         rows.append({"level": row["level"], **dict(zip(calibration.parameters, (x, y)))})
         for figure in calibration.figures:
             if row[figure] is not None:
-                cheap = float(np.interp(y, surfaces.y, means_at(surfaces, figure, x)))
-                rows[-1] |= {figure: row[figure], f"{figure} less that of {calibration.levels[0]}": row[figure] - cheap}
+                rows[-1] |= {figure: row[figure],
+                             f"{figure} less that of {calibration.levels[0]}": row[figure] - mean_at(surfaces, figure, x, y)}
     return rows
 
 

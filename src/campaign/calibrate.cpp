@@ -19,6 +19,7 @@
 #include "comm/agreement.h"
 #include "deck/calibration_deck.h"
 #include "files/atomic_file.h"
+#include "files/results_directory.h"
 #include "files/shared_file.h"
 
 namespace repose {
@@ -106,7 +107,7 @@ std::string calibrate_file(const Communicator& world, const RunRequest& request,
                            const std::string& report_file) {
   const std::string text = read_shared_file(world, request.deck);
   const CalibrationDeck deck = read_deck_and_curves(world, text, request.deck);
-  const StudyDirectory directory(world, request.output);
+  const ResultsDirectory directory(world, request.output, ResultsOf::calibration);
   CalibrationWork work(world, deck, text, request, stop_asked);
   const std::vector<LevelPoint> first = first_points(deck);
   std::optional<LiveReport> live;

@@ -19,7 +19,6 @@
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "files/directory.h"
-#include "files/directory_lock.h"
 #include "files/shared_file.h"
 #include "run/restart.h"
 #include "run/summary_figures.h"
@@ -192,13 +191,6 @@ PartsWork work_on(const Communicator& world, const CampaignPlan& plan, std::span
 }
 
 }  // namespace
-
-StudyDirectory::StudyDirectory(const Communicator& world, const std::string& directory) {
-  agree_after_root(world, [&] {
-    create_output_directory(directory);
-    lock_.emplace(directory);
-  });
-}
 
 CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, const std::string& deck_text,
                      const RunRequest& request) {

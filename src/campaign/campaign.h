@@ -12,7 +12,6 @@
 #include "campaign/run_folder.h"
 #include "campaign/run_list.h"
 #include "comm/communicator.h"
-#include "files/directory_lock.h"
 #include "run/run_file.h"
 
 namespace repose {
@@ -58,21 +57,11 @@ std::string effort_text(const CampaignEffort& effort, int ranks);
 void write_campaign_table(const CampaignPlan& plan, const std::vector<std::string>& columns,
                           std::span<const StudyRun> runs, std::span<const RunRecord> records);
 
-/// Collective. The directory of a study, made if it is not there, and kept from other jobs as long as this lives: they
-/// would spoil each other's files. FileError when another job has it.
-class StudyDirectory {
- public:
-  StudyDirectory(const Communicator& world, const std::string& directory);
-
- private:
-  std::optional<DirectoryLock> lock_;  ///< on rank 0
-};
-
 /// DeckError when a run's deck is wrong, one of the figures is not measured, or the directory holds results of another
 /// base deck; without a directory the decks alone are checked. For rank 0.
 void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs);
 
-/// Collective, while a StudyDirectory has the plan's. Does the runs that are not complete, on groups of ranks which
+/// Collective, while a ResultsDirectory has the plan's. Does the runs that are not complete, on groups of ranks which
 /// draw one after the other, each in a folder of its own where it goes on if it was interrupted. A run that fails is
 /// noted and ends no other. The records of all runs on rank 0; the tables are written now and then, and at the end.
 /// Stopped when `stop_asked` gives a reason anywhere: the runs under way leave checkpoints. The same when `check_run`

@@ -15,6 +15,7 @@
 #include "deck/sensitivity_deck.h"
 #include "files/atomic_file.h"
 #include "files/json_text.h"
+#include "files/results_directory.h"
 #include "files/shared_file.h"
 #include "run/run_plan.h"
 
@@ -174,7 +175,7 @@ std::string sensitivity_file(const Communicator& world, const RunRequest& reques
   const CampaignPlan plan = plan_of_figures(deck, text, request);
   const Design design(deck);
   const std::vector<StudyRun> runs = runs_at(plan.study, design.all);
-  const StudyDirectory directory(world, request.output);
+  const ResultsDirectory directory(world, request.output, ResultsOf::sensitivity);
   agree_after_root(world, [&] {
     check_campaign(plan, runs);
     write_text_file(request.output + "/sensitivity.toml", text);

@@ -14,6 +14,7 @@
 #include "files/atomic_file.h"
 #include "files/directory.h"
 #include "files/json_text.h"
+#include "files/results_directory.h"
 #include "files/shared_file.h"
 #include "output/summary.h"
 #include "run/run_plan.h"
@@ -139,13 +140,39 @@ void choose_cases(const std::vector<std::string>& only, const std::string& path,
   std::erase_if(deck.cases, [&](const ValidationCaseDeck& one) { return !is_in(only, one.name); });
 }
 
+/// The cases as runs of a plan, each with the figures it is compared by.
+struct PlannedCases {
+  CampaignPlan plan;
+  std::vector<StudyRun> runs;
+};
+
+PlannedCases planned_cases(const ValidationDeck& deck, const RunRequest& request) {
+  PlannedCases planned;
+  for (std::size_t i = 0; i < deck.cases.size(); ++i) {
+    const ValidationCaseDeck& one = deck.cases[i];
+    planned.plan.bases.push_back(path_beside(request.deck, one.deck));
+    planned.plan.experiments.push_back(one.name);
+    for (const ComparisonDeck& c : one.comparisons) planned.plan.figures.push_back({c.figure, c.figure, i});
+    StudyRun& run = planned.runs.emplace_back();
+    run.name = one.name;
+    run.overrides = overrides_of(one, request);
+    run.experiment = i;
+  }
+  return planned;
+}
+
 }  // namespace
 
 std::string validate_file(const Communicator& comm, const RunRequest& request, const std::vector<std::string>& only,
                           const StopAsked& stop_asked) {
   ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
   choose_cases(only, request.deck, deck);
-  agree_after_root(comm, [&] { create_output_directory(request.output); });
+  agree_after_root(comm, [&] {
+    const PlannedCases planned = planned_cases(deck, request);
+    check_campaign(planned.plan, planned.runs);
+    create_output_directory(request.output);
+    refuse_other_results(request.output, ResultsOf::validation);
+  });
   Json cases = Json::array();
   for (const ValidationCaseDeck& one : deck.cases) cases.push_back(run_case(comm, one, request, stop_asked));
   std::string table;
@@ -163,20 +190,11 @@ std::string validate_file(const Communicator& comm, const RunRequest& request, c
 
 std::string check_validation(const Communicator& comm, const RunRequest& request) {
   const ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
-  CampaignPlan plan;
-  std::vector<StudyRun> runs;
-  for (std::size_t i = 0; i < deck.cases.size(); ++i) {
-    const ValidationCaseDeck& one = deck.cases[i];
-    plan.bases.push_back(path_beside(request.deck, one.deck));
-    plan.experiments.push_back(one.name);
-    for (const ComparisonDeck& c : one.comparisons) plan.figures.push_back({c.figure, c.figure, i});
-    runs.emplace_back();
-    runs.back().name = one.name;
-    runs.back().overrides = overrides_of(one, request);
-    runs.back().experiment = i;
-  }
   std::string report;
-  agree_after_root(comm, [&] { report = planned_work_text(plan, runs, usual_core_speed, comm.size()); });
+  agree_after_root(comm, [&] {
+    const PlannedCases planned = planned_cases(deck, request);
+    report = planned_work_text(planned.plan, planned.runs, usual_core_speed, comm.size());
+  });
   return report;
 }
 

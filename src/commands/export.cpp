@@ -1,5 +1,8 @@
+#include <filesystem>
+
 #include <fmt/core.h>
 
+#include "base/error.h"
 #include "comm/agreement.h"
 #include "commands/command.h"
 #include "files/atomic_file.h"
@@ -8,6 +11,14 @@
 
 namespace repose {
 namespace {
+
+/// FileError when `path` is there and does not begin as `text` does: no earlier export in the same format.
+void refuse_other_file(const std::string& path, const std::string& text) {
+  constexpr std::size_t beginning = 5;  // bytes: "<?xml", "ITEM:", ...
+  if (!std::filesystem::is_regular_file(path)) return;
+  if (read_whole_file(path).starts_with(text.substr(0, beginning))) return;
+  throw FileError(path + ": is there already, and is no export in this format; name another file");
+}
 
 class Export : public Command {
  public:
@@ -20,15 +31,23 @@ class Export : public Command {
       meaning += fmt::format("{}{}: {}", meaning.empty() ? "" : "; ", format.name, format.meaning);
     }
     options.choice("--format", format_, names, meaning, Options::Need::must);
-    options.option("--output", output_, "FILE", "file to write", Options::Need::must);
+    options.option("--output", output_, "FILE", "file to write; an earlier export in the same format is replaced",
+                   Options::Need::must);
   }
 
   void carry_out(Process& process) override {
     std::string text;
     agree_after_root(process.ranks(), [&] {
       const SnapshotParticles snapshot = snapshot_particles(read_whole_file(snapshot_), snapshot_);
+      std::error_code absent;
+      if (std::filesystem::equivalent(snapshot_, output_, absent)) {
+        throw FileError(output_ + ": is the snapshot itself; name another file");
+      }
       for (const ExportFormat& format : export_formats()) {
-        if (format.name == format_) write_text_file(output_, format.text(snapshot));
+        if (format.name != format_) continue;
+        const std::string exported = format.text(snapshot);
+        refuse_other_file(output_, exported);
+        write_text_file(output_, exported);
       }
       text = fmt::format("{} particles in {}\n", snapshot.particles.size(), output_);
     });

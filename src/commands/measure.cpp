@@ -99,7 +99,7 @@ std::string lines_of(const FinishedState& state, const std::vector<const Measure
   for (const MeasurementKind* kind : kinds) {
     if (kind->section == "measurement.discharge") continue;  // its line speaks of a run
     const std::string lines = kind->lines(figures);
-    text += lines.empty() ? fmt::format("no {}, so no {}\n", kind->of, name_of(*kind)) : lines;
+    text += lines.empty() ? absence_of(*kind) + "\n" : lines;
   }
   return text;
 }

@@ -93,8 +93,16 @@ void check_pairs(const Deck& deck, DeckErrors& errors) {
   }
 }
 
-void check_angle_of_repose(const AngleOfReposeDeck& a, DeckErrors& errors) {
+void check_height(const std::string& section, const char* key, double height, const DomainDeck& domain,
+                  DeckErrors& errors) {
+  if (height >= domain.min.z && height <= domain.max.z) return;
+  errors.add(section + "." + key, fmt::format("\"{}\" = {} lies outside the [domain], from {} to {}", key, height,
+                                              domain.min.z, domain.max.z));
+}
+
+void check_angle_of_repose(const AngleOfReposeDeck& a, const DomainDeck& domain, DeckErrors& errors) {
   const std::string section = "measurement.angle_of_repose";
+  check_height(section, "plate_height", a.plate_height, domain, errors);
   if (a.fit_from >= a.fit_to) {
     errors.add(section + ".fit_to",
                fmt::format("\"fit_to\" = {} must be greater than \"fit_from\" = {}", a.fit_to, a.fit_from));
@@ -105,8 +113,9 @@ void check_angle_of_repose(const AngleOfReposeDeck& a, DeckErrors& errors) {
   }
 }
 
-void check_scattering(const ScatteringDeck& s, DeckErrors& errors) {
+void check_scattering(const ScatteringDeck& s, const DomainDeck& domain, DeckErrors& errors) {
   const std::string section = "measurement.scattering";
+  check_height(section, "plate_height", s.plate_height, domain, errors);
   if (!(s.plate_min.x < s.plate_max.x && s.plate_min.y < s.plate_max.y)) {
     errors.add(section + ".plate_max", "\"plate_max\" must be greater than \"plate_min\" in x and y");
     return;
@@ -172,12 +181,15 @@ void check_compression(const CompressionDeck& c, const Deck& deck, DeckErrors& e
 }
 
 void check_measurement(const Deck& deck, DeckErrors& errors) {
+  if (deck.discharge.enabled) {
+    check_height("measurement.discharge", "orifice_height", deck.discharge.orifice_height, deck.domain, errors);
+  }
   if (deck.shear.enabled) check_shear(deck.shear, deck, errors);
   if (deck.compression.enabled) check_compression(deck.compression, deck, errors);
   if (deck.bulk_density.enabled) check_bulk_density(deck.bulk_density, deck.domain, errors);
   if (deck.retained_slope.enabled) check_retained_slope(deck.retained_slope, errors);
-  if (deck.angle_of_repose.enabled) check_angle_of_repose(deck.angle_of_repose, errors);
-  if (deck.scattering.enabled) check_scattering(deck.scattering, errors);
+  if (deck.angle_of_repose.enabled) check_angle_of_repose(deck.angle_of_repose, deck.domain, errors);
+  if (deck.scattering.enabled) check_scattering(deck.scattering, deck.domain, errors);
 }
 
 }  // namespace

@@ -160,6 +160,12 @@ void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, con
   if (simulation.comm().is_root()) {
     options_.log.say(fmt::format("phase {} ended by {} at {:.6g} s after {} steps", phase.deck().name, ended_by,
                                  simulation.time(), phase.steps_done(simulation)));
+    if (simulation.steps() == 0) {
+      options_.log.warn(
+          fmt::format("phase {} ended before its first step: grains that have not begun to move are at "
+                      "rest as well; give it a min_time",
+                      phase.deck().name));
+    }
   }
 }
 
@@ -252,6 +258,7 @@ Figures Recorder::measured(const Simulation& simulation, const ReadFile& read_fi
     for (const MeasurementKind* kind : of_grains) {
       try {
         kind->measure(state, figures);
+        if (kind->lines != nullptr && kind->lines(figures).empty()) options_.log.say(absence_of(*kind));
       } catch (const DeckError& error) {
         options_.log.warn(fmt::format("no {}: {}", name_of(*kind), error.what()));
       }

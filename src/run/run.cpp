@@ -6,9 +6,9 @@
 
 #include "base/error.h"
 #include "comm/agreement.h"
-#include "files/directory.h"
-#include "files/directory_lock.h"
+#include "files/results_directory.h"
 #include "run/checkpoints.h"
+#include "run/finished_run.h"
 #include "run/guard_report.h"
 #include "run/restart.h"
 
@@ -161,13 +161,13 @@ class Run {
 
 }  // namespace
 
-Summary run_deck(const Communicator& comm, const Deck& deck, const ReadFile& read_file, VectorLevel level,
-                 const OutputOptions& options, const StopAsked& stop_asked) {
-  std::optional<DirectoryLock> lock;
-  agree_after_root(comm, [&] {
-    create_output_directory(options.directory);
-    lock.emplace(options.directory);
-  });
+std::optional<Summary> run_deck(const Communicator& comm, const Deck& deck, const ReadFile& read_file,
+                                VectorLevel level, const OutputOptions& options, const StopAsked& stop_asked) {
+  const ResultsDirectory directory(comm, options.directory, ResultsOf::run);
+  if (options.restart && is_finished(comm, options.directory, options.resolved_deck)) {
+    agree_after_root(comm, [&] { remove_checkpoints(options.directory); });  // of a run that was ended just then
+    return {};
+  }
   std::optional<FoundCheckpoint> from = checkpoint_to_begin_from(comm, options);
   try {
     return Run(comm, deck, read_file, level, options, stop_asked, std::move(from)).finish();

@@ -1,12 +1,10 @@
 #include "run/run_file.h"
 
-#include "comm/agreement.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "files/shared_file.h"
 #include "output/summary.h"
-#include "run/checkpoints.h"
-#include "run/finished_run.h"
+#include "run/run.h"
 
 namespace repose {
 
@@ -17,10 +15,6 @@ std::optional<Summary> run_file(const Communicator& comm, const RunRequest& requ
                                  .build = build_info(to_string(request.level)),
                                  .log = request.log,
                                  .restart = request.restart};
-  if (request.restart && is_finished(comm, request.output, options.resolved_deck)) {
-    agree_after_root(comm, [&] { remove_checkpoints(request.output); });  // of a run that was ended just then
-    return {};
-  }
   return run_deck(comm, deck, reader_beside(comm, request.deck), request.level, options, stop_asked);
 }
 

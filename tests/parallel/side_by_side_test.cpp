@@ -36,7 +36,7 @@ class SideBySide : public testing::Test {
     deck.time.expected_speed = 40.0;
     const OutputOptions options = {folder, "resolved = true\n", build_info("test"), {.progress = nullptr}};
     try {
-      return run_deck(*group_, deck, read_file, best_vector_level(), options).state_hash;
+      return run_deck(*group_, deck, read_file, best_vector_level(), options)->state_hash;
     } catch (const Error& error) {
       return std::to_string(static_cast<int>(error.code())) + ": " + error.what();
     }

@@ -33,6 +33,36 @@ class CommandLine(FolderTest):
         for key in ("youngs_modulus", "restitution", "max_overlap", "orifice_height", "azimuths", "remove_walls"):
             self.assertIn(key, done.stdout)
 
+    def test_keys_of_a_sensitivity_study_are_those_it_takes(self):
+        top, parameter = self.program.call("keys", "sensitivity").stdout.split("[[parameter]]")
+        self.assertRegex(top, r"\n +figures ")
+        for key in ("figures", "points", "values", "prior"):
+            self.assertNotRegex(parameter, rf"\n +{key} ")
+        text = pathlib.Path(self.program.deck("sensitivity_carbohsp.toml")).read_text()
+        for key in ("points = 3", "values = [0.1, 0.2]", 'prior = "uniform"'):
+            path = pathlib.Path(self.path("study.toml"))
+            path.write_text(text.replace("[[parameter]]\n", f"[[parameter]]\n{key}\n", 1))
+            self.fails(2, rf'study.toml:\d+:1: "{key.split()[0]}" of \[\[parameter\]\] is only allowed with a calibration', "check",
+                       str(path))
+
+    def test_keys_of_a_command_that_has_none(self):
+        for command in ("info", "check", "fields", "thermal"):
+            self.fails(2, rf'no keys of "{command}", but of calibrate, compare, photo, run, .*thermal bed, .*validate$', "keys", command)
+
+    def test_check_names_the_tool_of_a_file(self):
+        for name, command in (("thermal_bed_sand", "thermal bed"), ("thermal_mixture", "thermal mixture"),
+                              ("thermal_network", "thermal network"), ("thermal_sensor", "thermal sensor"),
+                              ("thermal_tps_mica", "thermal tps"), ("thermal_compare", "compare"), ("photo_pile", "photo")):
+            self.fails(2, rf"{name}.toml: no deck of a run, but a file for repose {command}$", "check", self.program.deck(name + ".toml"))
+
+    def test_check_expects_little_of_a_phase_without_mechanics(self):
+        done = self.program.call("check", self.program.deck("packed_bed_charging.toml"))
+        self.assertRegex(done.stdout, r"wall time +about [1-9] s on 1 rank")  # 80000 steps of 500 grains and 400 of heat
+
+    def test_more_grains_than_are_taken(self):
+        self.fails(2, r"e\+\d+ particles are too many; fewer than 1e\+09 are taken", "check", self.quick, "--set",
+                   "particles.0.mass=1e6")
+
     def test_check_resolves_without_running(self):
         done = self.program.call("check", self.program.deck("carbohsp_mono.toml"))
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -78,6 +108,24 @@ class CommandLine(FolderTest):
     def test_missing_files_are_4(self):
         self.fails(4, "no_such.toml", "run", self.path("no_such.toml"), "--output", self.path("out"))
         self.fails(4, "summary|file|directory", "run", self.quick, "--output", self.quick)
+
+    def test_results_of_another_kind_are_not_mixed(self):
+        os.mkdir(self.path("study"))
+        pathlib.Path(self.path("study"), "calibration.toml").write_text("")
+        self.fails(2, "holds the results of a calibration; name another directory", "run", self.quick, "--output", self.path("study"))
+        self.assertEqual(os.listdir(self.path("study")), ["calibration.toml"])
+
+    def test_measurements_lie_in_the_domain(self):
+        for key in ("angle_of_repose.plate_height", "discharge.orifice_height"):
+            self.fails(2, r"lies outside the \[domain\], from -0\.\d+ to 0\.\d+", "check", self.quick, "--set", f"measurement.{key}=5")
+
+    def test_a_phase_that_does_not_begin_is_said(self):
+        done = self.program.call("run", self.quick, "--output", self.path("out"), "--set", "phase.settle.min_time=0", "--set",
+                                 "phase.settle.kinetic_energy=1", "--set",
+                                 "phase.discharge.max_time=1 ms", "--set", "phase.discharge.min_time=0")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("phase settle ended before its first step", done.stdout + done.stderr)
+        self.assertIn("no pile, so no angle of repose", done.stdout)
 
     def scene(self, grains, changes):
         """A deck beside a list of grains: the quick deck with its fill replaced."""

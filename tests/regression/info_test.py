@@ -8,6 +8,7 @@ import csv
 import glob
 import json
 import os
+import pathlib
 import sys
 import tempfile
 import unittest
@@ -185,6 +186,16 @@ class Info(unittest.TestCase):
         self.refused("export", self.checkpoint, "--format", "csv", "--output", self.path("x.csv"), message="is no snapshot")
         self.refused("export", self.snapshot, "--format", "csv", "--output", self.path("none", "x.csv"), message="x.csv: cannot")
         self.assertFalse(glob.glob(self.path("x.*")))
+
+    def test_an_export_replaces_exports_alone(self):
+        before = pathlib.Path(self.snapshot).read_bytes()
+        self.refused("export", self.snapshot, "--format", "h5md", "--output", self.snapshot, message="is the snapshot itself")
+        self.assertEqual(pathlib.Path(self.snapshot).read_bytes(), before)
+        pathlib.Path(self.path("notes.txt")).write_text("mine")
+        self.refused("export", self.snapshot, "--format", "csv", "--output", self.path("notes.txt"), message="is no export")
+        self.assertEqual(pathlib.Path(self.path("notes.txt")).read_text(), "mine")
+        self.export("twice.csv", "csv")
+        self.export("twice.csv", "csv")
 
 
 if __name__ == "__main__":

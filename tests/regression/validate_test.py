@@ -94,8 +94,8 @@ class Validate(FolderTest):
 
     def test_mistakes_are_one_line(self):
         for case, code, message in (
-                ({"name": "one", "figure": "angle_of_repose"}, 2, "summary.json has no such key"),
-                ({"name": "one", "figure": "phases"}, 2, 'figure "phases": is not one number'),
+                ({"name": "one", "figure": "angle_of_repose"}, 2, 'did you mean "angle_of_repose_deg"'),
+                ({"name": "one", "figure": "phases"}, 2, '"phases" is no figure that runs have'),
                 ({"name": "../one"}, 2, "names a folder"),
                 ({"name": "one", "deck": "absent.toml"}, 4, "absent.toml: cannot open"),
                 ({"name": "other", "set": ["run.sed=1"]}, 2, "--set run.sed=1:")):
@@ -105,6 +105,11 @@ class Validate(FolderTest):
         done = self.validate(self.write({"name": "one"}, {"name": "two"}), "--case", "three")
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertRegex(done.stderr, r"--case three: .*validation\.toml has no such case, but one, two$")
+        self.assertFalse(os.path.exists(self.output))
+        done = self.validate(self.write({"name": "one"}, {"name": "two", "figure": "pile_hight_m"}))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("pile_height_m", done.stderr)
+        self.assertFalse(os.path.exists(self.output), "a case was run before the mistake in the next one was said")
         done = self.validate(self.write({"name": "one"}, {"name": "one"}))
         self.assertIn('"one" is the name of another case, too', done.stderr)
 

@@ -281,6 +281,8 @@ TEST(DeckErrors, Shapes) {
       {"plate_height = -0.05", "plate_height = -0.05\nfit_to = 0.2",
        "81:10: \"fit_to\" = 0.2 must be greater than \"fit_from\" = 0.2"},
       {"plate_height = -0.05", "plate_height = 0", "79:1: \"max_height\" = 0 must be above \"plate_height\" = 0"},
+      {"plate_height = -0.05", "plate_height = -15",
+       "80:16: \"plate_height\" = -15 lies outside the [domain], from -0.1 to 0.1"},
   });
 }
 

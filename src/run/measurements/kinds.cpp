@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "output/collect_particles.h"
 #include "output/vector_rows.h"
 #include "run/measurements/measurement.h"
@@ -24,6 +26,8 @@ std::string name_of(const MeasurementKind& kind) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
+
+std::string absence_of(const MeasurementKind& kind) { return fmt::format("no {}, so no {}", kind.of, name_of(kind)); }
 
 Figures no_figures(Figure::From from) {
   Figures figures = Figures::object();

@@ -100,6 +100,8 @@ const std::vector<MeasurementKind>& measurement_kinds();
 
 /// As in "no angle of repose".
 std::string name_of(const MeasurementKind& kind);
+/// "no pile, so no angle of repose"
+std::string absence_of(const MeasurementKind& kind);
 
 /// The figures of a run, or of grains, of which nothing was measured.
 Figures no_figures(Figure::From from = Figure::From::run);

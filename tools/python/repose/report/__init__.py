@@ -23,11 +23,19 @@ def html_of(directory):
     return page(KINDS[type(found)].report(found))
 
 
+def refuse_other_file(path):
+    """A file that is there and is no HTML is somebody's: it is not replaced."""
+    if path.is_file() and not path.read_bytes()[:15].lower() == b"<!doctype html>":
+        raise ReposeError(f"{path}: is there already, and is no report; name another file")
+
+
 def write(directory, output=None):
-    """Writes the report, by default to report.html in the directory, and returns its path. It is whole or not there."""
+    """Writes the report, by default to report.html in the directory, and returns its path. It is whole or not there; an earlier
+    one is replaced."""
     path = pathlib.Path(output) if output else pathlib.Path(directory) / "report.html"
     text = html_of(directory)
     try:
+        refuse_other_file(path)
         partial = path.with_name(path.name + ".partial")
         partial.write_text(text, encoding="utf-8")
         partial.replace(path)

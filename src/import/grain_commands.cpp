@@ -43,6 +43,25 @@ void read_data(Translation& to, Words& words) {
   }
 }
 
+/// read_restart FILE: its grains, box and step are those of the dump. The box may also be that of create_box.
+void read_restart(Translation& to, Words& words) {
+  words.rest();
+  if (to.dump.empty())
+    words.fail(
+        "read_restart: binary restart files are read by the program that wrote them alone; give a dump (--dump)");
+  if (comes_too_late(to, words)) return;
+  const GrainList list = parse_dump(to.read_file(to.dump), to.dump, to.scene.units);
+  if (!list.box) words.fail(fmt::format("{} has no box (ITEM: BOX BOUNDS)", to.dump));
+  to.scene.box = list.box;
+  to.scene.box_place = words.place();
+  to.scene.types = list.types;
+  to.scene.grains = list.grains;
+  to.scene.first_step = list.step;
+  to.scene.has_restarted = true;
+  to.scene.grain_origins.push_back(words.command());
+  note_missing(to.scene, words.command(), fmt::format("the grains of {} are there instead", to.dump));
+}
+
 /// create_atoms TYPE single X Y Z
 void create_atoms(Translation& to, Words& words) {
   const std::int64_t type = words.integer("the type");
@@ -245,7 +264,7 @@ std::optional<double> growth_factor(const std::string& formula, const std::set<s
 
 /// fix ID GROUP adapt N atom diameter FORMULA
 void adapt(Translation& to, Words& words) {
-  const std::int64_t every = words.integer("the steps between two changes");
+  const std::int64_t every = words.steps("the steps between two changes");
   const auto note = [&](const std::string& reason) {
     words.rest();
     note_missing(to.scene, words.command(), reason);
@@ -270,9 +289,14 @@ void adapt(Translation& to, Words& words) {
 }  // namespace
 
 const Translations& grain_commands() {
-  static const Translations commands = {
-      {"read_data", read_data}, {"create_atoms", create_atoms}, {"group", group},    {"set", set},
-      {"velocity", velocity},   {"delete_atoms", delete_atoms}, {"compute", compute}};
+  static const Translations commands = {{"read_data", read_data},
+                                        {"read_restart", read_restart},
+                                        {"create_atoms", create_atoms},
+                                        {"group", group},
+                                        {"set", set},
+                                        {"velocity", velocity},
+                                        {"delete_atoms", delete_atoms},
+                                        {"compute", compute}};
   return commands;
 }
 

@@ -14,6 +14,7 @@ namespace repose {
 namespace {
 
 constexpr double most_grains = 1e9;
+constexpr double latest_step = 9e15;
 
 /// A line with what it says, without what follows a #.
 struct TableLine {
@@ -220,7 +221,9 @@ GrainList parse_dump(std::string_view text, const std::string& file, const Scrip
   for (std::size_t at = 0; at < lines.size(); ++at) {
     const TableLine& line = lines[at];
     if (line.words.size() < 2 || line.words[0] != "ITEM:") continue;
-    if (line.words[1] == "NUMBER" && at + 1 < lines.size()) {
+    if (line.words[1] == "TIMESTEP" && at + 1 < lines.size()) {
+      list.step = integer_of(word(lines[at + 1], 0, "step"), lines[at + 1].place, "step", latest_step);
+    } else if (line.words[1] == "NUMBER" && at + 1 < lines.size()) {
       atoms = whole(lines[at + 1], 0, "number of atoms");
     } else if (line.words[1] == "BOX" && at + 3 < lines.size()) {
       std::size_t k = at;
@@ -228,7 +231,9 @@ GrainList parse_dump(std::string_view text, const std::string& file, const Scrip
         ++k;
         box.min.*component = number(lines[k], 0, "box") * units.length;
         box.max.*component = number(lines[k], 1, "box") * units.length;
+        if (!(box.min.*component < box.max.*component)) refuse(lines[k].place, "the box has no volume");
       }
+      list.box = box;
     } else if (line.words[1] == "ATOMS") {
       const DumpForm form = form_of(line);
       if (atoms < 0 || static_cast<std::size_t>(atoms) >= lines.size() - at) {

@@ -11,7 +11,8 @@ namespace repose {
 struct GrainList {
   std::vector<Grain> grains;
   std::optional<Extent> box;
-  int types = 0;  ///< that the file declares or has
+  int types = 0;          ///< that the file declares or has
+  std::int64_t step = 0;  ///< of a dump
 };
 
 /// A data file of read_data with atoms of style granular or sphere (id, type, diameter, density, x, y, z) and perhaps

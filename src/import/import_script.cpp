@@ -44,16 +44,20 @@ void check_complete(const ImportedScene& scene, const Place& end) {
 }
 
 /// The grains of a dump in place of those that the script inserts before its first run or makes.
-void take_dump(Translation& to, const std::string& dump) {
+void take_dump(Translation& to) {
   ImportedScene& scene = to.scene;
-  const std::string reason = "the grains of " + dump + " are there instead";
+  const std::string reason = "the grains of " + to.dump + " are there instead";
   for (const ScriptInsertion& insertion : scene.insertions) {
     scene.missing.push_back({insertion.place, "fix " + insertion.name, reason});
   }
   for (const ScriptCommand& command : scene.grain_origins) note_missing(scene, command, reason);
   scene.insertions.clear();
-  scene.grains = parse_dump(to.read_file(dump), dump, scene.units).grains;
-  scene.grain_origins = {ScriptCommand{{dump, 1}, {}}};
+  scene.grains = parse_dump(to.read_file(to.dump), to.dump, scene.units).grains;
+  scene.grain_origins = {ScriptCommand{{to.dump, 1}, {}}};
+}
+
+/// What a dump need not say: densities, and types that have no grains.
+void complete_dump(ImportedScene& scene, const std::string& dump) {
   for (Grain& grain : scene.grains) {
     if (grain.density > 0.0) continue;
     for (const auto& [name, made] : scene.templates) {
@@ -66,6 +70,10 @@ void take_dump(Translation& to, const std::string& dump) {
               "neither density nor mass is among its columns, and no fix particletemplate/sphere says that of type {}",
               grain.type));
     }
+  }
+  if (!scene.has_restarted) return;
+  for (const auto& [name, property] : scene.properties) {
+    if (property.kind == "peratomtype") scene.types = std::max(scene.types, static_cast<int>(property.values.size()));
   }
 }
 
@@ -82,6 +90,18 @@ void write_grain_blocks(DeckText& deck, const ImportedScene& scene) {
   }
 }
 
+/// FileError with the line of the script when it cannot be read.
+std::string mesh_bytes(const ImportedScene& scene, const std::string& file, const ReadFile& read_file) {
+  try {
+    return read_file(file);
+  } catch (const FileError& error) {
+    for (const auto& [name, mesh] : scene.meshes) {
+      if (mesh.file == file) throw FileError(fmt::format("{}: fix {}: {}", text(mesh.place), name, error.what()));
+    }
+    throw;
+  }
+}
+
 /// Names and bytes of what lies beside the deck: lists of grains and meshes.
 std::vector<std::pair<std::string, std::string>> files_of(const ImportedScene& scene, const Draft& draft,
                                                           const ReadFile& read_file) {
@@ -94,7 +114,7 @@ std::vector<std::pair<std::string, std::string>> files_of(const ImportedScene& s
     }
     if (!chosen.empty()) files.emplace_back(grain_file(is_fixed), grain_csv(chosen));
   }
-  for (const auto& [there, here] : draft.mesh_files) files.emplace_back(here, read_file(there));
+  for (const auto& [there, here] : draft.mesh_files) files.emplace_back(here, mesh_bytes(scene, there, read_file));
   return files;
 }
 
@@ -214,13 +234,16 @@ std::string deck_name(const std::string& script) {
 
 ImportedDeck import_script(const std::string& script, const ReadFile& read_file,
                            const std::vector<std::string>& variables, const std::string& dump) {
-  Translation to(read_file);
+  Translation to(read_file, dump);
   Place last{script, 1};
   read_script(script, read_file, variables, [&](const ScriptCommand& command) {
     translate(to, command);
     last = command.place;
   });
-  if (!dump.empty()) take_dump(to, dump);
+  if (!dump.empty()) {
+    if (!to.scene.has_restarted) take_dump(to);
+    complete_dump(to.scene, dump);
+  }
   check_complete(to.scene, last);
   const Draft loose = draft_of(to.scene, script, {});
   ImportedDeck result{.deck = {}, .files = files_of(to.scene, loose, read_file), .missing = {}};

@@ -85,6 +85,12 @@ struct Property {
   std::vector<double> values = {};  ///< of a pair type by type
 };
 
+/// `fix gravity`
+struct ScriptGravity {
+  Place place = {};
+  Vec3 acceleration = {};
+};
+
 /// The words behind `model`.
 struct ScriptModel {
   Place place = {};
@@ -200,6 +206,7 @@ struct ScriptInsertion {
   std::optional<double> mass_rate = {};
   std::int64_t every = -1;  ///< steps; 0: once, -1: not given
   std::int64_t start = 0;   ///< step, 0: at once
+  bool all_in = false;      ///< whether grains are to lie wholly in the region, not just their centres
   std::size_t from = 0;
   std::size_t until = never_removed;
 };
@@ -215,6 +222,7 @@ struct ImportedScene {
   std::optional<Extent> box = {};
   Place box_place = {};
   int types = 0;
+  bool has_restarted = false;  ///< from a dump, which need not have grains of all types
   std::map<std::string, ScriptRegion> regions = {};
   std::map<std::string, ScriptGroup> groups = {{"all", {true, {}}}};
 
@@ -222,7 +230,8 @@ struct ImportedScene {
   std::map<std::string, ParticleTemplate> templates = {};
   std::map<std::string, ScriptDistribution> distributions = {};
   std::optional<ScriptModel> model = {};
-  Vec3 gravity = {};
+  std::map<std::string, ScriptGravity> gravities = {};  ///< by the name of the fix; before the first run
+  Vec3 gravity = {};                                    ///< all of them, from the first run on
   Place gravity_place = {};
   std::optional<double> timestep = {};
   Place timestep_place = {};
@@ -240,6 +249,7 @@ struct ImportedScene {
   std::vector<ScriptRun> runs = {};
   std::optional<double> dump_interval = {};    ///< s
   std::optional<double> series_interval = {};  ///< s
+  std::int64_t first_step = 0;                 ///< of the counter of LIGGGHTS, when ours is 0
   bool integrates = false;                     ///< a fix nve/sphere is there in the first run
 
   std::map<std::string, ScriptFix> fixes = {};  ///< those that are there

@@ -78,7 +78,7 @@ void every(ScriptInsertion& made, Words& words) {
     made.every = 0;
     return;
   }
-  made.every = words.integer("the steps between insertions");
+  made.every = words.steps("the steps between insertions");
   if (made.every < 1) words.fail("insertions are at least a step apart");
 }
 
@@ -92,14 +92,11 @@ std::optional<double> amount(Words& words, const std::string& key, double unit) 
 /// Keys that change nothing here, with the number of their values.
 const std::map<std::string, int>& needless_keys() {
   static const std::map<std::string, int> keys = {
-      {"maxattempt", 1},     {"overlapcheck", 1},
-      {"all_in", 1},         {"random_distribute", 1},
-      {"verbose", 1},        {"compress_tags", 1},
-      {"ntry_mc", 1},        {"warn_region", 1},
-      {"parallel", 1},       {"check_dist_from_subdomain_border", 1},
-      {"extrude_length", 1}, {"duration", 1},
-      {"duration_time", 1},  {"save_template", 1},
-      {"check_obb", 1},
+      {"maxattempt", 1},     {"overlapcheck", 1},  {"random_distribute", 1},
+      {"verbose", 1},        {"compress_tags", 1}, {"ntry_mc", 1},
+      {"warn_region", 1},    {"parallel", 1},      {"check_dist_from_subdomain_border", 1},
+      {"extrude_length", 1}, {"duration", 1},      {"duration_time", 1},
+      {"save_template", 1},  {"check_obb", 1},
   };
   return keys;
 }
@@ -149,11 +146,13 @@ void read_key(const std::string& key, ScriptInsertion& made, Translation& to, Wo
   } else if (key == "insert_every" || key == "every") {
     every(made, words);
   } else if (key == "start") {
-    made.start = words.integer("the first step");
+    made.start = words.steps("the first step") - to.scene.first_step;
   } else if (key == "vel") {
     velocity(made, to, words);
   } else if (key == "omega") {
     omega(to, words);
+  } else if (key == "all_in") {
+    made.all_in = words.choice(key);
   } else if (key == "orientation") {
     orientation(words);
   } else if (key == "set_property") {

@@ -5,8 +5,8 @@
 
 #include <fmt/core.h>
 
-#include "base/math.h"
-#include "scene/particles/sphere_mass.h"
+#include "import/insertion_portion.h"
+#include "import/insertion_region.h"
 
 namespace repose {
 namespace {
@@ -16,86 +16,16 @@ constexpr double most_grains = 1e8;        // of an insertion; a script with mor
 constexpr double burst_steps = 100.0;      // between the tries of grains that come at once
 constexpr double part_of_clearing = 0.05;  // between the batches of a stream
 constexpr double just_above = 1.0 + 1e-6;  // a rate at which a batch is whole in spite of rounding
+constexpr double small_radius = 0.05;      // of a region: which grains lie wholly in it or not is no matter then
 
-/// Templates of a distribution that are one material.
-struct Portion {
-  std::string material = {};
-  double density = 0.0;
-  double number_share = 0.0;              ///< of all grains
-  double mass_share = 0.0;                ///< of their mass
-  double mean_mass = 0.0;                 ///< kg
-  std::map<double, double> classes = {};  ///< share by diameter, of mass or number as the distribution says
+/// What an insertion into a region has brought.
+struct Inserted {
+  const ScriptInsertion* by;
+  DeckRegion region;
+  DeckRegion grown;  ///< in which its grains lie
+  std::int64_t step;
+  Amount amount;
 };
-
-double mass_of(const ParticleTemplate& made) { return sphere_volume(made.radius) * made.density; }
-
-std::vector<Portion> portions(const ImportedScene& scene, const ScriptDistribution& distribution,
-                              const MaterialsUsed& materials) {
-  std::vector<Portion> result;
-  double number = 0.0;
-  double mass = 0.0;
-  for (std::size_t k = 0; k < distribution.templates.size(); ++k) {
-    const ParticleTemplate& made = scene.templates.at(distribution.templates[k]);
-    const std::string& material = materials.of_grains(made.type, made.density);
-    auto portion = std::find_if(result.begin(), result.end(), [&](const Portion& p) { return p.material == material; });
-    if (portion == result.end())
-      portion = result.insert(result.end(), Portion{.material = material, .density = made.density});
-    const double share = distribution.shares[k];
-    const double number_share = distribution.is_by_mass ? share / mass_of(made) : share;
-    portion->classes[2.0 * made.radius] += share;
-    portion->number_share += number_share;
-    portion->mass_share += number_share * mass_of(made);
-    number += number_share;
-    mass += number_share * mass_of(made);
-  }
-  for (Portion& portion : result) {
-    portion.mean_mass = portion.mass_share / portion.number_share;
-    portion.number_share /= number;
-    portion.mass_share /= mass;
-  }
-  return result;
-}
-
-/// A region as a deck says it.
-struct DeckRegion {
-  bool is_box = true;
-  Extent box = {};
-  Vec3 centre = {};
-  double radius = 0.0;
-  double height = 0.0;
-
-  double volume() const {
-    const Vec3 size = box.max - box.min;
-    return is_box ? size.x * size.y * size.z : pi * radius * radius * height;
-  }
-  /// How far a grain moves along a direction until it has surely left.
-  double length_along(const Vec3& way) const {
-    const Vec3 size = is_box ? box.max - box.min : Vec3{2.0 * radius, 2.0 * radius, height};
-    const Vec3 n = (1.0 / norm(way)) * way;
-    return std::fabs(n.x) * size.x + std::fabs(n.y) * size.y + std::fabs(n.z) * size.z;
-  }
-};
-
-DeckRegion deck_region(const ScriptRegion& region, const Extent& domain) {
-  if (!region.is_inside) refuse(region.place, "grains come into the inside of a region; this is its outside");
-  DeckRegion result;
-  if (region.kind == "block") {
-    const auto& [min, max] = region.block;
-    result.box = {{std::max(min.x, domain.min.x), std::max(min.y, domain.min.y), std::max(min.z, domain.min.z)},
-                  {std::min(max.x, domain.max.x), std::min(max.y, domain.max.y), std::min(max.z, domain.max.z)}};
-    return result;
-  }
-  if (region.kind != "cylinder")
-    refuse(region.place, fmt::format("grains in a {}: block and cylinder are known", region.kind));
-  if (region.axis != 'z')
-    refuse(region.place, "grains in a cylinder that is not upright; only one along z has a counterpart");
-  const double low = std::max(region.low, domain.min.z);
-  result.is_box = false;
-  result.centre = {region.c1, region.c2, low};
-  result.radius = region.radius;
-  result.height = std::min(region.high, domain.max.z) - low;
-  return result;
-}
 
 class InsertionWriter {
  public:
@@ -165,62 +95,121 @@ class InsertionWriter {
     deck_.key("shares", shares);
   }
 
-  /// How many grains of a portion a region is to hold.
-  double wanted(const Portion& portion, const DeckRegion& region) const {
-    if (now_->region_count) return *now_->region_count * portion.number_share;
-    const double density_of_all = [&] {
-      double inverse = 0.0;
-      for (const Portion& p : portions_) inverse += p.mass_share / p.density;
-      return 1.0 / inverse;
-    }();
-    const double mass =
-        now_->region_mass ? *now_->region_mass : *now_->volume_fraction * region.volume() * density_of_all;
-    return mass * portion.mass_share / portion.mean_mass;
-  }
-
-  double filled_share(const DeckRegion& region) const {
-    double volume = 0.0;
-    for (const Portion& portion : portions_) volume += wanted(portion, region) * portion.mean_mass / portion.density;
-    return volume / region.volume();
-  }
-
   std::int64_t whole(double count) const {
     if (!(count <= most_grains)) refuse(now_->place, fmt::format("{:.3g} grains in one insertion", count));
     return std::max<std::int64_t>(1, std::llround(count));
   }
 
   void note(const std::string& reason) {
-    scene_.missing.push_back({now_->place, "fix " + now_->name + " insert/pack", reason});
+    const std::string style = now_->kind == InsertionKind::pack ? "insert/pack" : "insert/rate/region";
+    scene_.missing.push_back({now_->place, "fix " + now_->name + " " + style, reason});
   }
+
+  bool is_there(const ScriptWall& wall) const { return wall.from < now_->until && now_->from < wall.until; }
 
   /// Whether grains have left the region before more come.
   bool is_emptied(const DeckRegion& region, double interval) const {
     const Vec3 way = norm(now_->velocity) > 0.0 ? now_->velocity : scene_.gravity;
     if (!(norm(way) > 0.0)) return false;
+    const bool stays = std::any_of(scene_.walls.begin(), scene_.walls.end(), [&](const ScriptWall& wall) {
+      return is_there(wall) && is_held(region, way, largest_diameter(portions_), wall);
+    });
     const double pull = std::max(0.0, dot(scene_.gravity, way) / norm(way));
-    return norm(now_->velocity) * interval + 0.5 * pull * interval * interval >= region.length_along(way);
+    return !stays && norm(now_->velocity) * interval + 0.5 * pull * interval * interval >= region.length_along(way);
   }
 
-  void pack(const DeckRegion& where) {
+  /// With `all_in no` only centres have to lie in the region.
+  DeckRegion region_of_grains(const DeckRegion& centres) {
+    if (now_->all_in) return centres;
+    const double radius = 0.5 * largest_diameter(portions_);
+    std::vector<const ScriptWall*> walls;
+    for (const ScriptWall& wall : scene_.walls) {
+      if (is_there(wall)) walls.push_back(&wall);
+    }
+    const bool is_known =
+        std::all_of(walls.begin(), walls.end(), [&](const ScriptWall* wall) { return can_bound(centres, *wall); });
+    if (is_known) return grown(centres, radius, domain_, walls);
+    if (radius > small_radius * centres.smallest_size())
+      note("without all_in yes LIGGGHTS places centres up to the bounds of the region; here whole grains are in it");
+    return centres;
+  }
+
+  /// What LIGGGHTS finds in the region: grains of lists, and of packs of the same region at the same step.
+  Amount grains_in(const DeckRegion& region) const {
+    Amount there = first_step_ > 0 ? Amount{} : amount_of_list(scene_, scene_.regions.at(now_->region));
+    for (const Inserted& earlier : inserted_) {
+      if (!is_part_of(earlier, region)) continue;
+      const Amount& more = earlier.amount;
+      there = {there.count + more.count, there.mass + more.mass, there.volume + more.volume};
+    }
+    return there;
+  }
+
+  bool is_part_of(const Inserted& earlier, const DeckRegion& region) const {
+    return earlier.step == first_step_ && are_same(earlier.region, region);
+  }
+
+  /// Of grains that may be in the region by then, in a number that only the simulation knows.
+  void note_earlier(const DeckRegion& region, double count) {
+    for (const Inserted& earlier : inserted_) {
+      if (is_part_of(earlier, region) || !overlap(earlier.region, region)) continue;
+      note(
+          fmt::format("LIGGGHTS counts the grains of fix {} that are in its region by then, and adds what is lacking; "
+                      "here all {} come",
+                      earlier.by->name, whole(count)));
+    }
+  }
+
+  void pack(const DeckRegion& region) {
+    const DeckRegion where = region_of_grains(region);
+    const Amount there = grains_in(region);
+    const Amount more = lacking(*now_, portions_, region.volume(), there);
+    const bool is_shared =
+        there.count > 0.0 || std::any_of(inserted_.begin(), inserted_.end(),
+                                         [&](const auto& earlier) { return overlap(earlier.grown, where); });
+    note_earlier(region, more.count);
+    if (now_->region_count ? more.count < 0.5 : !(more.count > 0.0)) {
+      scene_.needless.push_back({now_->place, "fix " + now_->name, "its region has as many grains before"});
+      return;
+    }
+    write_pack(region, where, there, is_shared);
+    inserted_.push_back({now_, region, where, first_step_, more});
+  }
+
+  void write_pack(const DeckRegion& region, const DeckRegion& where, const Amount& there, bool is_shared) {
     const double interval = static_cast<double>(std::max<std::int64_t>(0, now_->every)) * step();
     const bool repeats = now_->every > 0 && first_step_ + 1 + now_->every <= last_step_;
-    const bool is_emptied_before = repeats && is_emptied(where, interval);
-    const bool fits = filled_share(where) <= densest_fill;
-    const bool begins_filled = first_step_ == 0 && portions_.size() == 1 && fits;
+    const bool is_emptied_before = repeats && is_emptied(region, interval);
+    const double filled = (there.volume + lacking(*now_, portions_, region.volume(), there).volume) / where.volume();
+    const bool begins_filled = first_step_ == 0 && portions_.size() == 1 && filled <= densest_fill && !is_shared;
     const std::int64_t times = is_emptied_before ? (last_step_ - first_step_ - 1) / now_->every + 1 : 1;
+    std::int64_t all = 0;
     for (const Portion& portion : portions_) {
-      const std::int64_t count = whole(wanted(portion, where));
+      const std::int64_t count = whole(lacking(*now_, portions_, portion, region.volume(), there));
+      const std::int64_t each = whole(lacking(*now_, portions_, portion, region.volume(), {}));
+      const std::int64_t later = times > 1 ? whole(static_cast<double>(each) * static_cast<double>(times - 1)) : 0;
+      all += whole(static_cast<double>(count + later));
       if (begins_filled) fill(portion, where, count);
-      if (begins_filled && times == 1) continue;
-      const std::int64_t rest =
-          whole(static_cast<double>(count) * static_cast<double>(begins_filled ? times - 1 : times));
+      if (begins_filled && later == 0) continue;
       const bool tries_again = repeats && !is_emptied_before;
       const double every = is_emptied_before || tries_again ? interval : burst_steps * step();
-      batches(portion, where, rest, static_cast<double>(count) / every * (is_emptied_before ? just_above : 2.0), every);
+      const double rate = static_cast<double>(each) / every * (is_emptied_before ? just_above : 2.0);
+      batches(portion, where, begins_filled ? later : count + later, rate, every);
     }
-    if (repeats && !is_emptied_before) {
-      note(fmt::format("each {} steps LIGGGHTS fills the region up again; here its grains come once, as they find room",
-                       now_->every));
+    note_amount(all, repeats, is_emptied_before, filled);
+  }
+
+  /// LIGGGHTS fills a region as far as it finds places; a deck has a number of grains.
+  void note_amount(std::int64_t all, bool repeats, bool is_emptied_before, double filled) {
+    if (repeats) {
+      note(fmt::format("each {} steps LIGGGHTS fills the region up again; here {}", now_->every,
+                       is_emptied_before ? fmt::format("it is taken as empty by then, and {} grains come in all", all)
+                                         : fmt::format("its {} grains come once, as they find room", all)));
+    } else if (filled > densest_fill) {
+      note(
+          fmt::format("the region would be {:.0f} % full: LIGGGHTS inserts as many grains as find a place; here all {} "
+                      "come, as they find room",
+                      100.0 * filled, all));
     }
   }
 
@@ -251,9 +240,7 @@ class InsertionWriter {
   /// A small part of the time in which the largest grain moves by its diameter: grains enter as soon as there is room,
   /// which lets through about as many as LIGGGHTS finds places for in the volume behind the face.
   double stream_interval() const {
-    double largest = 0.0;
-    for (const Portion& portion : portions_) largest = std::max(largest, portion.classes.rbegin()->first);
-    const double steps = std::floor(part_of_clearing * largest / norm(now_->velocity) / step());
+    const double steps = std::floor(part_of_clearing * largest_diameter(portions_) / norm(now_->velocity) / step());
     return std::max(1.0, steps) * step();
   }
 
@@ -265,6 +252,12 @@ class InsertionWriter {
     std::optional<double> wanted = now_->count;
     if (!wanted && now_->mass) wanted = std::floor(*now_->mass / mean_mass);
     const double count = amount(wanted, rate);
+    DeckRegion where;
+    if (now_->kind == InsertionKind::rate_region) {
+      const DeckRegion centres = deck_region(scene_.regions.at(now_->region), domain_);
+      where = region_of_grains(centres);
+      inserted_.push_back({now_, centres, where, first_step_, {}});
+    }
     for (const Portion& portion : portions_) {
       begin(portion, "pour");
       deck_.key("count", whole(count * portion.number_share));
@@ -276,7 +269,7 @@ class InsertionWriter {
         if (norm(now_->velocity) > 0.0) deck_.key("interval", stream_interval());
       } else {
         if (now_->every > 0) deck_.key("interval", static_cast<double>(now_->every) * step());
-        region(deck_region(scene_.regions.at(now_->region), domain_));
+        region(where);
       }
       end(portion, false);
     }
@@ -291,6 +284,7 @@ class InsertionWriter {
   std::int64_t first_step_ = 0;  ///< behind which the first grains come
   std::int64_t last_step_ = 0;
   std::vector<Portion> portions_;
+  std::vector<Inserted> inserted_;
 };
 
 }  // namespace

@@ -39,8 +39,7 @@ void gravity(Translation& to, Words& words) {
   if (to.scene.has_run()) {
     return note_missing(to.scene, words.command(), "gravity stays as it is in the first run");
   }
-  to.scene.gravity = (size / norm(direction)) * direction;
-  to.scene.gravity_place = words.place();
+  to.scene.gravities[words.command().words[1]] = {words.place(), (size / norm(direction)) * direction};
 }
 
 void integrator(Translation& to, Words& words) {

@@ -31,17 +31,31 @@ bool begins_anew(const ImportedScene& scene) {
          changes(scene.growths) || changes(scene.heatings);
 }
 
+/// Each fix gravity acts by itself.
+void add_gravities(ImportedScene& scene) {
+  for (const auto& [name, gravity] : scene.gravities) {
+    scene.gravity += gravity.acceleration;
+    scene.gravity_place = gravity.place;
+  }
+}
+
+/// reset_timestep N: for the runs that end at a step, and insertions that start at one.
+void reset_timestep(Translation& to, Words& words) {
+  to.scene.first_step = words.steps("the step") - to.scene.steps();
+  note_needless(to.scene, words.command(), "steps are counted from 0");
+}
+
 /// run N [upto]; runs between which nothing changes are one.
 void run(Translation& to, Words& words) {
-  ScriptRun run{words.place(), words.integer("the number of steps")};
+  ScriptRun run{words.place(), words.steps("the number of steps")};
   constexpr std::int64_t most = 1'000'000'000'000;
   while (!words.at_end()) {
     if (words.take("upto")) {
-      run.steps -= to.scene.steps();
+      run.steps -= to.scene.first_step + to.scene.steps();
     } else if (words.take("pre") || words.take("post")) {
       words.choice("pre or post");
     } else if (words.take("start") || words.take("stop")) {
-      words.integer("a step");
+      words.steps("a step");
     } else {
       note_missing(to.scene, words.command(), fmt::format("\"{}\" of a run", words.word("a key")));
       words.rest();
@@ -50,6 +64,7 @@ void run(Translation& to, Words& words) {
   if (run.steps < 0 || run.steps > most) words.fail(fmt::format("a run of {} steps", run.steps));
   if (run.steps == 0) return note_needless(to.scene, words.command(), "no step is made");
   if (!to.scene.timestep) words.fail("a run before any timestep");
+  if (!to.scene.has_run()) add_gravities(to.scene);
   settle_groups(to.scene);
   if (begins_anew(to.scene)) {
     to.scene.runs.push_back(run);
@@ -78,7 +93,7 @@ void dump(Translation& to, Words& words) {
   words.word("the name of the dump");
   words.word("the group of the dump");
   const std::string& style = words.word("the style of the dump");
-  const double every = words.number("the steps between dumps");
+  const auto every = static_cast<double>(words.steps("the steps between dumps"));
   if (style.starts_with("mesh") || style.starts_with("euler") || !(every >= 1.0) || to.scene.dump_interval) {
     return note_needless(to.scene, words.command(), "a run writes its own results");
   }
@@ -88,18 +103,19 @@ void dump(Translation& to, Words& words) {
 
 void thermo(Translation& to, Words& words) {
   const std::string& every = words.word("the steps between lines");
-  const bool is_number = every.find_first_not_of("0123456789") == std::string::npos;
-  if (!is_number || number_of(every, words.place(), "steps") < 1.0 || !to.scene.timestep || to.scene.series_interval) {
+  const bool is_number = every.find_first_not_of("0123456789.") == std::string::npos;
+  const double steps = is_number ? std::trunc(number_of(every, words.place(), "steps")) : 0.0;
+  if (steps < 1.0 || !to.scene.timestep || to.scene.series_interval) {
     return note_needless(to.scene, words.command(), "a run writes its own results");
   }
-  to.scene.series_interval = number_of(every, words.place(), "steps") * *to.scene.timestep;
+  to.scene.series_interval = steps * *to.scene.timestep;
 }
 
 }  // namespace
 
 const Translations& run_commands() {
-  static const Translations commands = {
-      {"timestep", timestep}, {"run", run}, {"unfix", unfix}, {"dump", dump}, {"thermo", thermo}};
+  static const Translations commands = {{"timestep", timestep}, {"run", run},   {"reset_timestep", reset_timestep},
+                                        {"unfix", unfix},       {"dump", dump}, {"thermo", thermo}};
   return commands;
 }
 

@@ -64,6 +64,24 @@ bool only_speaks(const std::string& word) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
 
+/// Whether a line defines a variable or asks for its value.
+bool names_variable(const std::string& line, const std::string& name) {
+  const auto has = [&](const std::string& text) {
+    const std::size_t at = line.find(text);
+    if (at == std::string::npos) return false;
+    const std::size_t end = at + text.size();
+    return end == line.size() || (std::isalnum(static_cast<unsigned char>(line[end])) == 0 && line[end] != '_');
+  };
+  if (has("${" + name + "}") || has("v_" + name) || (name.size() == 1 && line.find("$" + name) != std::string::npos))
+    return true;
+  std::string compact;
+  for (const char c : line) {
+    const char kept = c == '\t' ? ' ' : c;
+    if (kept != ' ' || !compact.ends_with(' ')) compact += kept;
+  }
+  return compact.find("variable " + name + " ") != std::string::npos;
+}
+
 /// Follows a script.
 class Reader {
  public:
@@ -78,6 +96,18 @@ class Reader {
     command.place.file = "--var";
     command.words = {"variable", given.substr(0, sign), "index", given.substr(sign + 1)};
     variables_.define(command);
+    given_[given.substr(0, sign)] = given;
+  }
+
+  /// DeckError for a variable of the command line that no line of the script names.
+  void check_given(const std::string& script) const {
+    for (const auto& [name, given] : given_) {
+      const bool is_used = std::any_of(files_.begin(), files_.end(), [&, &wanted = name](const auto& file) {
+        return std::any_of(file.second.begin(), file.second.end(),
+                           [&](const Line& line) { return names_variable(line.text, wanted); });
+      });
+      if (!is_used) throw DeckError(fmt::format("--var {}: {} has no variable \"{}\"", given, script, name));
+    }
   }
 
   void follow(const std::string& first_file, int depth) {
@@ -134,6 +164,7 @@ class Reader {
     const std::string& name = command.words[0];
     Words rest(command);
     if (name == "variable") {
+      check_redefinition(rest);
       variables_.define(command);
     } else if (name == "next") {
       next(rest);
@@ -147,9 +178,21 @@ class Reader {
       has_quit_ = true;
     } else if (name != "label") {
       if (name == "fix") variables_.put_atom_formulas(command.words);
+      if (name == "timestep" && command.words.size() > 1)
+        variables_.set_time_step(number_of(command.words[1], place, "the time step"));
       visit_(command);
     }
     return {};
+  }
+
+  /// Of a variable that the command line gives; LIGGGHTS stops then too.
+  void check_redefinition(Words words) const {
+    const auto found = given_.find(words.word("the name of the variable"));
+    if (found == given_.end()) return;
+    const std::string& style = words.word("the style of the variable");
+    if (style != "equal" && style != "string" && style != "atom") return;
+    throw DeckError(fmt::format("--var {}: {} defines \"{}\" as {}; only index variables can be given", found->second,
+                                text(words.place()), found->first, style));
   }
 
   void next(Words& words) {
@@ -208,6 +251,7 @@ class Reader {
   Variables variables_;
   std::map<std::string, std::vector<Line>> files_;
   std::map<std::pair<std::string, std::string>, std::size_t> labels_;  ///< by file and label, of those jumped to
+  std::map<std::string, std::string> given_;                           ///< NAME=VALUE of the command line, by name
   std::size_t carried_out_ = 0;
   bool skips_jump_ = false;
   bool has_quit_ = false;
@@ -241,6 +285,7 @@ void read_script(const std::string& file, const ReadFile& read_file, const std::
   Reader reader(read_file, visit, most_commands);
   for (const std::string& variable : variables) reader.set(variable);
   reader.follow(file, 0);
+  reader.check_given(file);
 }
 
 }  // namespace repose

@@ -8,6 +8,11 @@
 #include "files/text_table.h"
 
 namespace repose {
+namespace {
+
+constexpr double most_whole = 9e15;  // whole numbers that a double holds
+
+}  // namespace
 
 std::string text(const Place& place) { return fmt::format("{}:{}", place.file, place.line); }
 
@@ -56,9 +61,12 @@ const std::string& Words::word(std::string_view what) {
 
 double Words::number(std::string_view what) { return number_of(word(what), command_.place, what); }
 
-std::int64_t Words::integer(std::string_view what) {
-  constexpr double most = 9e15;  // whole numbers that a double holds
-  return integer_of(word(what), command_.place, what, most);
+std::int64_t Words::integer(std::string_view what) { return integer_of(word(what), command_.place, what, most_whole); }
+
+std::int64_t Words::steps(std::string_view what) {
+  const double value = number(what);
+  if (std::fabs(value) > most_whole) fail(fmt::format("{:g} where a number of steps is expected ({})", value, what));
+  return static_cast<std::int64_t>(value);
 }
 
 Vec3 Words::vector(std::string_view what) {

@@ -41,6 +41,8 @@ class Words {
   const std::string& word(std::string_view what);
   double number(std::string_view what);
   std::int64_t integer(std::string_view what);
+  /// A number of steps, of which LIGGGHTS takes the whole part.
+  std::int64_t steps(std::string_view what);
   Vec3 vector(std::string_view what);
   /// Of atoms or walls, from 1 on.
   int type();

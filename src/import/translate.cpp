@@ -38,6 +38,7 @@ const std::map<std::string, std::string>& needless_commands() {
       {"write_dump", results},
       {"write_data", results},
       {"info", results},
+      {"thermo_log", results},
       {"hard_particles", "any stiffness is allowed"},
       {"soft_particles", "any stiffness is allowed"},
       {"modify_timing", results},
@@ -55,6 +56,10 @@ const std::map<std::string, std::string>& needless_fixes() {
       {"ave/time", "a run writes its own results"},
       {"ave/atom", "a run writes its own results"},
       {"ave/euler", "a run writes its own results"},
+      {"ave/histo", "a run writes its own results"},
+      {"ave/spatial", "a run writes its own results"},
+      {"store/state", "a run writes its own results"},
+      {"store/force", "a run writes its own results"},
       {"balance", "ranks share the particles by themselves"},
   };
   return reasons;
@@ -63,12 +68,10 @@ const std::map<std::string, std::string>& needless_fixes() {
 /// What would be another simulation without it: refused, not listed.
 const std::map<std::string, std::string>& refused_commands() {
   static const std::map<std::string, std::string> reasons = {
-      {"read_restart", "binary restart files are read by the program that wrote them alone; give a dump (--dump)"},
       {"coarsegraining", "coarse graining has no counterpart; write the scaled sizes and properties out"},
       {"bond_style", "bonds have no counterpart"},
       {"kspace_style", "forces over long distances have no counterpart"},
       {"minimize", "there is no minimiser"},
-      {"shell", "nothing in a script is executed"},
       {"python", "nothing in a script is executed"},
   };
   return reasons;
@@ -79,7 +82,6 @@ const std::map<std::string, std::string>& missing_commands() {
       {"lattice", "grains on a lattice are [[particles]] of type lattice; write them by hand"},
       {"replicate", "grains are not multiplied"},
       {"displace_atoms", "grains are not displaced"},
-      {"reset_timestep", "steps are counted from 0"},
       {"change_box", "the domain does not change"},
       {"fix_modify", "nothing of a fix is changed afterwards"},
   };
@@ -113,6 +115,13 @@ std::string reason_of_missing_fix(const std::string& style) {
     if (style.starts_with(begins)) return reason;
   }
   return fmt::format("there is nothing like fix {}", style);
+}
+
+/// Nothing is executed; what a folder or a variable of the system would be then is not known.
+void translate_shell(Translation& to, Words& words) {
+  const std::string& what = words.word("what to execute");
+  if (what == "cd" || what == "putenv") words.fail(fmt::format("shell {}: nothing in a script is executed", what));
+  note_needless(to.scene, words.command(), "nothing in a script is executed");
 }
 
 void translate_fix(Translation& to, Words& words) {
@@ -175,6 +184,7 @@ bool end_fix(ImportedScene& scene, const std::string& name) {
   end(scene.insertions);
   end(scene.motions);
   end(scene.growths);
+  if (!scene.has_run() && scene.gravities.erase(name) > 0) is_done = true;
   return is_done;
 }
 
@@ -204,6 +214,7 @@ void translate(Translation& to, const ScriptCommand& command) {
   const std::string& name = command.words[0];
   if (name == "fix") return translate_fix(to, words);
   if (name == "pair_style") return translate_pair_style(to, words);
+  if (name == "shell") return translate_shell(to, words);
   for (const Translations* commands : {&box_commands(), &grain_commands(), &run_commands()}) {
     const auto found = commands->find(name);
     if (found != commands->end()) return found->second(to, words);

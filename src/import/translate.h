@@ -13,9 +13,10 @@ namespace repose {
 
 /// What all commands act on.
 struct Translation {
-  explicit Translation(const ReadFile& reads) : read_file(reads) {}
+  Translation(const ReadFile& reads, const std::string& dump_file) : read_file(reads), dump(dump_file) {}
   ImportedScene scene;
   const ReadFile& read_file;
+  const std::string& dump;  ///< whose grains are there at the start; empty: none
 };
 
 void note_missing(ImportedScene& scene, const ScriptCommand& command, const std::string& reason);

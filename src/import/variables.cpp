@@ -83,7 +83,7 @@ std::string Variables::text(const std::string& name, const Place& place, int dep
     case Style::text:
       return variable.values[variable.at];
     case Style::formula:
-      return shortest_text(value(variable.values[0], place, depth));
+      return fmt::format("{:.15g}", value(variable.values[0], place, depth));
     case Style::of_atoms:
       break;
   }
@@ -95,6 +95,7 @@ std::string Variables::text(const std::string& name, const Place& place) const {
 double Variables::value(const std::string& formula, const Place& place, int depth) const {
   if (depth > deepest) refuse(place, fmt::format("formula \"{}\" names itself", formula));
   const NamedValue value_of = [&](const std::string& known_as) -> std::optional<double> {
+    if (known_as == "dt") return time_step_;
     if (!known_as.starts_with("v_")) return {};
     const std::string name = known_as.substr(2);
     return number_of(text(name, place, depth + 1), place, "variable " + name);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,12 @@ class Variables {
  public:
   /// `variable NAME STYLE ARGUMENTS`: index, loop, string, equal, delete; formulas of atom are kept as text.
   void define(const ScriptCommand& command);
+  /// What the keyword dt of formulas is from now on.
+  void set_time_step(double step) { time_step_ = step; }
   /// The next value of an index or a loop; false, and the variable is gone, when there is none.
   bool advance(const std::string& name, const Place& place);
 
-  /// As a word of a command.
+  /// As a word of a command; of a formula with 15 digits, as LIGGGHTS writes it.
   std::string text(const std::string& name, const Place& place) const;
   /// Value of a formula that may name variables.
   double value(const std::string& formula, const Place& place) const;
@@ -38,6 +41,7 @@ class Variables {
   std::size_t replace_one(const std::string& line, std::size_t at, const Place& place, std::string& result) const;
 
   std::map<std::string, Variable> variables_;
+  std::optional<double> time_step_;
 };
 
 }  // namespace repose

@@ -77,6 +77,7 @@ void read_mesh_key(const std::string& key, ScriptMesh& mesh, Translation& to, Wo
     mesh.surface_motion = conveyor(units.speed() * words.vector("the velocity of the surface"));
   } else if (key == "surface_ang_vel") {
     mesh.surface_motion = surface_turn(words, units);
+    note_missing(to.scene, words.command(), "LIGGGHTS gives the surface a velocity and leaves the mesh; here it turns");
   } else if (key == "temperature") {
     mesh.temperature = temperature(words);
   } else if (key == "curvature") {

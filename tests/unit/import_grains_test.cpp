@@ -194,5 +194,46 @@ TEST(ImportGrains, ComeFromADumpInstead) {
             "in.x:13: fix f one freeze: the grains of dump are there instead\n");
 }
 
+/// A script that goes on from a restart file, of two types in one of which the dump has grains.
+ImportedDeck import_restart(const std::string& lines, const std::string& dump_file) {
+  const std::string script =
+      "units si\nboundary f f f\nread_restart old.restart\n"
+      "fix m1 all property/global youngsModulus peratomtype 5e6 5e6\nfix m2 all property/global poissonsRatio "
+      "peratomtype 0.4 0.4\n"
+      "fix m3 all property/global coefficientRestitution peratomtypepair 2 0.6 0.6 0.6 0.5\n"
+      "fix m4 all property/global coefficientFriction peratomtypepair 2 0.1 0.2 0.2 0.4\n"
+      "pair_style gran model hertz tangential history\ntimestep 1e-5\n" +
+      lines + all_move + "run 15 upto\n";
+  std::string inner = dump;
+  inner.replace(inner.find("2 1 0 1 0 "), 10, "2 1 0.1 0.9 0.1 ");
+  const std::map<std::string, std::string> files = {{"in.x", script}, {"dump", inner}};
+  return import_script("in.x", test::reader_of(files), {}, dump_file);
+}
+
+TEST(ImportGrains, ComeFromADumpInPlaceOfARestart) {
+  const ImportedDeck imported = import_restart("group two id 2\nset group two vx 3\n", "dump");
+  EXPECT_EQ(notes_of(imported), "in.x:3: read_restart old.restart: the grains of dump are there instead\n");
+  const NewParticles grains = grains_of(imported, "grains.csv");
+  ASSERT_EQ(grains.size(), 2U);
+  EXPECT_EQ(grains.velocity[0], (Vec3{3.0, 0.0, 0.0}));
+  const Deck deck = read_deck(imported.deck, "x.toml", {});
+  EXPECT_EQ(deck.domain.min, (Vec3{-1.0, 0.0, 0.0}));
+  EXPECT_EQ(deck.domain.max, (Vec3{1.0, 2.0, 1.0}));
+  EXPECT_EQ(deck.phases.at(0).steps, 10);  // from step 5 on
+  // What is inserted behind it comes as well; a box of its own stays.
+  const Deck more = read_deck(
+      import_restart("region big block -2 2 -2 4 -2 4 units box\ncreate_box 2 big\n"
+                     "fix t all particletemplate/sphere 1 atom_type 2 density constant 2000 radius constant 0.1\n"
+                     "fix d all particledistribution/discrete 1 1 t 1\nfix ins all insert/pack seed 1 "
+                     "distributiontemplate d insert_every once all_in yes region big particles_in_region 9\n",
+                     "dump")
+          .deck,
+      "x.toml", {});
+  EXPECT_EQ(more.domain.max, (Vec3{2.0, 4.0, 4.0}));
+  ASSERT_EQ(more.particles.size(), 2U);
+  EXPECT_EQ(more.particles[1].count, 7);
+  EXPECT_THROW(import_restart("", ""), DeckError);
+}
+
 }  // namespace
 }  // namespace repose

@@ -81,6 +81,29 @@ TEST(Script, IncludesAndTakesVariablesOfTheCommandLine) {
   EXPECT_EQ(commands_of(files, {"r=7"}), (Lines{"1: d 7", "3: c 7"}));
 }
 
+TEST(Script, WritesFormulasAsLiggghtsDoes) {
+  const std::string script = "variable t equal 0.3\nvariable dt equal 1e-5\nvariable n equal ${t}/${dt}\n";
+  EXPECT_EQ(commands_of(script + "run ${n} v_n\nvariable m equal v_n/7\nc ${m}"),
+            (Lines{"4: run 30000 v_n", "6: c 4285.71428571429"}));
+}
+
+TEST(Script, KnowsTheTimeStepOnceItIsGiven) {
+  EXPECT_EQ(commands_of("timestep 1e-3\nc $(0.5/dt)"), (Lines{"1: timestep 1e-3", "2: c 500"}));
+  EXPECT_EQ(error_of("c $(0.5/dt)"),
+            "in:1: formula \"0.5/dt\": \"dt\" is no constant, or known only while the simulation runs");
+}
+
+TEST(Script, RefusesVariablesOfTheCommandLineThatChangeNothing) {
+  const auto error = [](const std::string& script, const std::string& given) {
+    return test::deck_error([&] { commands_of(Files{{"in", script}}, {given}); });
+  };
+  EXPECT_EQ(error("a\nvariable r equal 1\nc $r", "r=7"),
+            "--var r=7: in:2 defines \"r\" as equal; only index variables can be given");
+  EXPECT_EQ(error("variable rr index 1\nc ${rr} $(v_rr)", "r=7"), "--var r=7: in has no variable \"r\"");
+  for (const std::string use : {"print \"${r}\"", "c $r", "c $(2*v_r)", "variable  r index 1"})
+    EXPECT_NO_THROW(commands_of(Files{{"in", use}}, {"r=7"})) << use;
+}
+
 TEST(Script, SaysWhereItCannotGoOn) {
   EXPECT_EQ(error_of("a\nb ${radius}"), "in:2: no variable \"radius\" is defined above");
   EXPECT_EQ(error_of("variable rad equal 1\nb ${rat}"),

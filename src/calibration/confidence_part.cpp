@@ -10,6 +10,8 @@ constexpr int most_windows = 12;
 constexpr double much_smaller = 0.6;  // a window worth another lattice
 constexpr double accuracy = 2e-3;     // of the ends, over the cell of the last lattice
 constexpr Index none = -1;
+constexpr int walk = 200;            // steps from a seed to a point
+constexpr double most_turned = 4.0;  // steps that another parameter may go in one
 
 /// Which nodes are connected with the cell of `seed` through nodes of T <= limit.
 std::vector<char> connected(const LatticeResiduals& l, const Vector& seed, double limit) {
@@ -95,7 +97,37 @@ End farthest_end(const Residuals& residuals, const Vector& from, Index j, double
   return {inside[j], false};
 }
 
+/// The walk along parameter `j`.
+bool walk_leads_to(const Residuals& residuals, const Vector& from, const Vector& to, Index j, double limit) {
+  const double step = (to[j] - from[j]) / walk;
+  if (std::fabs(step) < 1e-9) return false;
+  Vector at = from;
+  for (int k = 1; k <= walk; ++k) {
+    Vector start = at;
+    start[j] = k == walk ? to[j] : from[j] + k * step;
+    const LeastSquares low = descend(residuals, start, j);
+    if (!(low.squares <= limit)) return false;
+    if ((low.point - at).cwiseAbs().maxCoeff() > most_turned * std::fabs(step)) return false;
+    at = low.point;
+  }
+  return (at - to).cwiseAbs().maxCoeff() <= most_turned * std::fabs(step);
+}
+
 }  // namespace
+
+bool leads_to(const Residuals& residuals, const ConfidencePart& part, const Vector& point, double limit) {
+  if ((point.array() < part.lower.array()).any() || (point.array() > part.upper.array()).any()) return false;
+  for (Index j = 0; j < point.size(); ++j) {
+    if (walk_leads_to(residuals, part.seed, point, j, limit)) return true;
+  }
+  return false;
+}
+
+bool have_same_extent(const ConfidencePart& a, const ConfidencePart& b) {
+  const Vector cell = a.lattice.spacing().cwiseMax(b.lattice.spacing());
+  return ((a.lower - b.lower).cwiseAbs().array() <= cell.array()).all() &&
+         ((a.upper - b.upper).cwiseAbs().array() <= cell.array()).all();
+}
 
 bool ConfidencePart::contains(const Vector& point) const {
   if ((point.array() < lower.array()).any() || (point.array() > upper.array()).any()) return false;
@@ -119,7 +151,7 @@ ConfidencePart confidence_part(const Residuals& residuals, const LatticeResidual
     window = evaluate(residuals, smaller);
   }
   const Index d = seed.size();
-  part.lower = part.upper = seed;
+  part.seed = part.lower = part.upper = seed;
   const Vector step = part.lattice.spacing();
   for (Index j = 0; j < d; ++j) {
     const auto k = static_cast<std::size_t>(j);

@@ -15,8 +15,8 @@
 namespace repose {
 namespace {
 
-constexpr Index lattice_side[] = {0, 401, 61, 21};  // for each number of parameters
-constexpr double exact = 1e-10;                     // a T at which all residuals are rounding
+constexpr double exact = 1e-10;           // a T at which all residuals are rounding
+constexpr double no_information = 1e-12;  // of the greatest: what the slopes tell along a level direction
 
 void check(const Misfit& misfit, double confidence) {
   if (misfit.parameters() < 1 || misfit.parameters() > 3) {
@@ -68,6 +68,36 @@ RegionPart in_units(const std::vector<ParameterRange>& ranges, const ConfidenceP
   return result;
 }
 
+/// Of the parameters' directions those in which the surfaces are level at a point, as columns.
+Matrix level_directions(const Misfit& misfit, const Vector& point) {
+  const Matrix slopes = misfit.slopes(point);
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(slopes.transpose() *
+                                                     misfit.look(point).covariance.ldlt().solve(slopes));
+  const double least = no_information * solver.eigenvalues().cwiseAbs().maxCoeff();
+  const Index count = (solver.eigenvalues().array() <= least).count();
+  return solver.eigenvectors().leftCols(count);
+}
+
+/// Whether the surfaces meet the laboratory at a point and not along a line or a plane.
+bool is_one_point(const Misfit& misfit, const Vector& point) {
+  return std::isfinite(linearised_covariance(misfit, point)(0, 0));
+}
+
+/// At the points where no standard error is finite: which parameters the observables do not tell there.
+std::string untold_text(const Misfit& misfit, const Estimate& e) {
+  constexpr double share = 1e-6;  // of a direction
+  std::string names;
+  for (std::size_t j = 0; j < misfit.ranges().size(); ++j) {
+    const auto is_untold = [&](const CalibratedPoint& point) {
+      const Vector at = to_box(misfit.ranges(), point.values);
+      return !is_one_point(misfit, at) && level_directions(misfit, at).row(static_cast<Index>(j)).squaredNorm() > share;
+    };
+    if (!std::any_of(e.points.begin(), e.points.end(), is_untold)) continue;
+    names += (names.empty() ? "" : ", ") + misfit.ranges()[j].name;
+  }
+  return names.empty() ? "" : "; one point of many that fit: these observables do not tell " + names;
+}
+
 std::string verdict_of(const Estimate& e, bool square) {
   const char* what = square ? "crossing of the laboratory's contour lines" : "best fit to the laboratory's values";
   if (e.points.size() == 1) {
@@ -93,6 +123,22 @@ double half_width(const Misfit& misfit, const ConfidencePart& part, const Vector
   return of_planes.cwiseMax(0.5 * (part.upper - part.lower)).maxCoeff();
 }
 
+/// The part of the region that a point is in, which is added to the others if it is none of them.
+std::size_t part_of(const Residuals& residuals, const LatticeResiduals& over_box, const Vector& point, double limit,
+                    std::vector<ConfidencePart>& parts) {
+  const auto place = [&](auto is_it) {
+    return static_cast<std::size_t>(std::find_if(parts.begin(), parts.end(), is_it) - parts.begin());
+  };
+  std::size_t index = place([&](const ConfidencePart& part) { return part.contains(point); });
+  if (index < parts.size()) return index;
+  index = place([&](const ConfidencePart& part) { return leads_to(residuals, part, point, limit); });
+  if (index < parts.size()) return index;
+  const ConfidencePart fresh = confidence_part(residuals, over_box, point, limit);
+  index = place([&](const ConfidencePart& part) { return have_same_extent(part, fresh); });
+  if (index == parts.size()) parts.push_back(fresh);
+  return index;
+}
+
 }  // namespace
 
 Estimate estimate(const Misfit& misfit, double confidence) {
@@ -100,8 +146,7 @@ Estimate estimate(const Misfit& misfit, double confidence) {
   check(misfit, confidence);
   const bool square = misfit.observables() == misfit.parameters();
   const Residuals residuals = [&](const Vector& point) { return misfit.residuals(point); };
-  const LatticeResiduals over_box =
-      evaluate(residuals, unit_lattice(misfit.parameters(), lattice_side[misfit.parameters()]));
+  const LatticeResiduals over_box = evaluate_over_box(residuals, misfit.parameters());
   const std::vector<LeastSquares> minima = local_minima(residuals, over_box);
 
   Estimate e;
@@ -110,22 +155,20 @@ Estimate estimate(const Misfit& misfit, double confidence) {
   std::vector<ConfidencePart> parts;
   for (const LeastSquares& low : minima) {
     if (low.squares > e.limit) break;
-    const auto holds = [&](const ConfidencePart& part) { return part.contains(low.point); };
-    auto part = std::find_if(parts.begin(), parts.end(), holds);
-    if (part == parts.end()) {
-      parts.push_back(confidence_part(residuals, over_box, low.point, e.limit));
-      part = parts.end() - 1;
-      e.half_width = std::max(e.half_width.value_or(0.0), half_width(misfit, *part, low.point, e.limit));
+    const std::size_t known = parts.size();
+    const std::size_t index = part_of(residuals, over_box, low.point, e.limit, parts);
+    if (index == known) {
+      e.half_width = std::max(e.half_width.value_or(0.0), half_width(misfit, parts[index], low.point, e.limit));
     }
     // A lower point of the same part makes an inexact one no more than a dent.
-    const auto index = static_cast<std::size_t>(part - parts.begin());
     const bool first = std::none_of(e.points.begin(), e.points.end(), [&](const auto& p) { return p.part == index; });
-    if (low.squares <= exact || (!square && first)) e.points.push_back(calibrated_point(misfit, low, index));
+    const bool counts = low.squares <= exact || (!square && first);
+    if (counts && (first || is_one_point(misfit, low.point))) e.points.push_back(calibrated_point(misfit, low, index));
   }
   for (const ConfidencePart& part : parts) e.parts.push_back(in_units(misfit.ranges(), part));
 
   e.nearest = nearest_point(misfit, minima.front(), e.limit);
-  e.verdict = verdict_of(e, square);
+  e.verdict = verdict_of(e, square) + untold_text(misfit, e);
   return e;
 }
 

@@ -107,7 +107,7 @@ double LevelSurface::explained(std::size_t level) const {
     added[node] = whole[node] - process_.parameters(level).rho * process_.up_to(level - 1).mean(point);
   }
   const auto variance = [](const Vector& v) { return (v.array() - v.mean()).square().mean(); };
-  return variance(whole) > 0.0 ? 1.0 - variance(added) / variance(whole) : 0.0;
+  return variance(whole) > 0.0 ? std::max(0.0, 1.0 - variance(added) / variance(whole)) : 0.0;
 }
 
 SurfaceValue LevelSurface::at(const Vector& point, std::vector<NoiseWeights>& weights) const {

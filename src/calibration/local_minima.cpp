@@ -6,8 +6,9 @@
 namespace repose {
 namespace {
 
-constexpr double same = 1e-3;             // of the box
-constexpr std::size_t most_starts = 200;  // a T that is flat along a line has a start at each node of it
+constexpr double same = 1e-3;                       // of the box
+constexpr std::size_t most_starts = 200;            // a T that is flat along a line has a start at each node of it
+constexpr Index lattice_side[] = {0, 401, 61, 21};  // for each number of parameters
 
 bool is_lowest(const LatticeResiduals& l, Index node) {
   const std::vector<Index> around = l.lattice.neighbours(node);
@@ -34,6 +35,10 @@ LatticeResiduals evaluate(const Residuals& residuals, const BoxLattice& lattice)
     result.squares[node] = z.squaredNorm();
   }
   return result;
+}
+
+LatticeResiduals evaluate_over_box(const Residuals& residuals, Index parameters) {
+  return evaluate(residuals, unit_lattice(parameters, lattice_side[parameters]));
 }
 
 std::vector<LeastSquares> local_minima(const Residuals& residuals, const LatticeResiduals& over_box) {

@@ -6,8 +6,9 @@
 namespace repose {
 namespace {
 
-constexpr double as_wide = 0.9;  // of the prior's deviation: the observables have not told of the parameter
-constexpr int bins = 20;         // of the range
+constexpr double as_wide = 0.9;        // of the prior's deviation: the observables have not told of the parameter
+constexpr double least_overlap = 0.7;  // with the prior; with less they have told, however wide it is
+constexpr int bins = 20;               // of the range, or of the prior
 constexpr double cut_off = 0.1;  // of the greatest bin: what the range has cut off a density that is more at its end
 
 double log_prior_of(const std::vector<ParameterRange>& ranges, const Vector& point) {
@@ -46,13 +47,33 @@ std::vector<double> sorted(const Eigen::Ref<const Vector>& values) {
   return result;
 }
 
-/// Whether the density goes on at the lower and at the upper end of the range.
-void mark_open_ends(ConfidenceInterval& interval, const ParameterRange& range, const std::vector<double>& values) {
+std::size_t bin_of(const ParameterRange& range, double value) {
+  const double place = bins * (value - range.lower) / (range.upper - range.lower);
+  return static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, bins - 1));
+}
+
+std::vector<int> histogram(const ParameterRange& range, const std::vector<double>& values) {
   std::vector<int> counts(bins, 0);
-  for (const double value : values) {
-    const double place = bins * (value - range.lower) / (range.upper - range.lower);
-    ++counts[static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, bins - 1))];
+  for (const double value : values) ++counts[bin_of(range, value)];
+  return counts;
+}
+
+/// How much samples and prior have in common: the area below both densities, by bins that have equal shares of the
+/// prior.
+double overlap_with_prior(const ParameterRange& range, const std::vector<double>& sorted) {
+  double common = 0.0;
+  auto from = sorted.begin();
+  for (int k = 1; k <= bins; ++k) {
+    const double end = prior_quantile(range, static_cast<double>(k) / bins);
+    const auto to = k == bins ? sorted.end() : std::lower_bound(from, sorted.end(), end);
+    common += std::min(1.0 / bins, static_cast<double>(to - from) / static_cast<double>(sorted.size()));
+    from = to;
   }
+  return common;
+}
+
+/// Whether the density goes on at the lower and at the upper end of the range.
+void mark_open_ends(ConfidenceInterval& interval, const std::vector<int>& counts) {
   const double least = cut_off * *std::max_element(counts.begin(), counts.end());
   interval.open_below = counts.front() > least;
   interval.open_above = counts.back() > least;
@@ -66,10 +87,14 @@ Marginal marginal_of(const ParameterRange& range, const Eigen::Ref<const Vector>
   m.median = quantile_of(values, 0.5);
   m.interval.lower = quantile_of(values, 0.5 * (1.0 - confidence));
   m.interval.upper = quantile_of(values, 0.5 * (1.0 + confidence));
-  mark_open_ends(m.interval, range, values);
+  const std::vector<int> counts = histogram(range, values);
+  mark_open_ends(m.interval, counts);
+  const auto first = counts.begin() + static_cast<std::ptrdiff_t>(bin_of(range, m.interval.lower));
+  const auto last = counts.begin() + static_cast<std::ptrdiff_t>(bin_of(range, m.interval.upper));
+  m.separate = std::find(first, last, 0) != last;
   m.prior_deviation = prior_deviation(range);
   m.off_prior = off_prior(range, m.mean);
-  m.determined = m.deviation < as_wide * m.prior_deviation;
+  m.determined = m.deviation < as_wide * m.prior_deviation || overlap_with_prior(range, values) < least_overlap;
   return m;
 }
 

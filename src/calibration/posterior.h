@@ -16,7 +16,8 @@ struct Marginal {
   ConfidenceInterval interval;   ///< what is left out lies to equal shares on either side
   double prior_deviation = 0.0;  ///< of what the range leaves of the prior
   double off_prior = 0.0;        ///< of the mean from the middle of the prior, in its deviations; 0: uniform
-  bool determined = true;        ///< false: as wide as the prior, so that the observables do not tell
+  bool determined = true;        ///< false: much as the prior, so that the observables do not tell
+  bool separate = false;         ///< the interval has stretches of a twentieth of the range or more with nothing in it
 };
 
 /// What runs, laboratory and priors say of the parameters, by samples of their joint density.

@@ -28,7 +28,7 @@ struct SharedNoise {
   }
 };
 
-/// From the runs that have both; no correlation when the seeds say too little of it.
+/// From the runs that have both (C.10); no correlation when the seeds of these say too little of it.
 SharedNoise shared_noise(const Replicates& a, const Replicates& b);
 
 }  // namespace repose

@@ -87,4 +87,31 @@ std::vector<std::vector<double>> start_design(const std::vector<ParameterRange>&
   return result;
 }
 
+std::vector<std::vector<double>> points_between(const std::vector<ParameterRange>& ranges,
+                                                std::span<const std::vector<double>> known, std::size_t points,
+                                                std::uint64_t seed) {
+  const auto d = static_cast<Index>(ranges.size());
+  std::vector<Vector> taken;
+  for (const std::vector<double>& values : known) taken.push_back(to_box(ranges, values));
+  std::vector<std::vector<double>> result;
+  while (result.size() < points) {
+    Vector best;
+    double farthest = -1.0;
+    for (std::uint64_t attempt = 0; attempt < tries; ++attempt) {
+      Vector point(d);
+      for (Index j = 0; j < d; ++j) {
+        point[j] = uniform(seed, tries + 1 + attempt, RandomStream::start_design, static_cast<std::uint32_t>(j));
+      }
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Vector& other : taken) nearest = std::min(nearest, (point - other).squaredNorm());
+      if (nearest <= farthest) continue;
+      farthest = nearest;
+      best = point;
+    }
+    taken.push_back(best);
+    result.push_back(from_box(ranges, best));
+  }
+  return result;
+}
+
 }  // namespace repose

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "calibration/parameter_range.h"
@@ -15,5 +16,10 @@ namespace repose {
 /// arguments alone. DeckError for no point.
 std::vector<std::vector<double>> start_design(const std::vector<ParameterRange>& ranges, std::size_t points,
                                               std::uint64_t seed);
+
+/// So many points in the parameters' units, each of many random ones the farthest from all before and from `known`.
+std::vector<std::vector<double>> points_between(const std::vector<ParameterRange>& ranges,
+                                                std::span<const std::vector<double>> known, std::size_t points,
+                                                std::uint64_t seed);
 
 }  // namespace repose

@@ -50,6 +50,10 @@ Json point_json(const CalibratedPoint& point) {
           {"part", point.part}};
 }
 
+Json nearest_json(const NearestPoint& nearest) {
+  return {{"values", nearest.values}, {"misfit", json_number(nearest.misfit)}, {"acceptable", nearest.acceptable}};
+}
+
 Json observable_json(const ObservableDeck& deck, const ObservableData& data, double off_by) {
   const auto runs = std::count_if(data.values.begin(), data.values.end(), [](double v) { return !std::isnan(v); });
   Json json = {{"figure", deck.figure},
@@ -74,6 +78,27 @@ std::string point_text(const CalibrationDeck& deck, const Estimate& estimate, co
   return text;
 }
 
+std::string part_text(const CalibrationDeck& deck, const Estimate& estimate, std::size_t part) {
+  std::string text;
+  for (std::size_t k = 0; k < estimate.parts[part].intervals.size(); ++k) {
+    text += fmt::format("  {:24} {:.0f} % region {}\n", deck.study.parameters[k].name, 100.0 * estimate.confidence,
+                        interval_text(estimate.parts[part].intervals[k]));
+  }
+  return text;
+}
+
+/// The parts of the region in which there is no point. Without any point the first has the nearest one, with which it
+/// is said.
+std::string other_parts_text(const CalibrationDeck& deck, const Estimate& estimate) {
+  std::string text;
+  for (std::size_t part = estimate.points.empty() ? 1 : 0; part < estimate.parts.size(); ++part) {
+    const auto is_in = [&](const CalibratedPoint& point) { return point.part == part; };
+    if (std::any_of(estimate.points.begin(), estimate.points.end(), is_in)) continue;
+    text += "part of the region without such a point\n" + part_text(deck, estimate, part);
+  }
+  return text;
+}
+
 std::string points_text(const CalibrationDeck& deck, const Estimate& estimate) {
   if (estimate.posterior && !estimate.points.empty()) return posterior_text(deck, estimate);
   std::string text;
@@ -81,11 +106,23 @@ std::string points_text(const CalibrationDeck& deck, const Estimate& estimate) {
   return text;
 }
 
-std::string nearest_text(const CalibrationDeck& deck, const NearestPoint& nearest) {
+/// With the part of the region that it is in, if it is acceptable.
+std::string nearest_text(const CalibrationDeck& deck, const Estimate& estimate) {
+  const NearestPoint& nearest = estimate.nearest;
   std::string text = "nearest point\n";
   for (std::size_t k = 0; k < nearest.values.size(); ++k) {
-    text += fmt::format("  {:24} {:.4g}\n", deck.study.parameters[k].name, nearest.values[k]);
+    text += fmt::format("  {:24} {:.4g}", deck.study.parameters[k].name, nearest.values[k]);
+    if (!estimate.parts.empty()) {
+      text += fmt::format(", {:.0f} % region {}", 100.0 * estimate.confidence,
+                          interval_text(estimate.parts.front().intervals[k]));
+    }
+    text += "\n";
   }
+  return text;
+}
+
+std::string off_by_text(const CalibrationDeck& deck, const NearestPoint& nearest) {
+  std::string text;
   for (std::size_t k = 0; k < nearest.off_by.size(); ++k) {
     text += fmt::format("  {:24} off by {:+.2f} standard deviations\n", deck.observables[k].figure, nearest.off_by[k]);
   }
@@ -94,12 +131,7 @@ std::string nearest_text(const CalibrationDeck& deck, const NearestPoint& neares
 
 /// What the runs have come to; of those that will be tried again why the first of them ended.
 std::string runs_text(std::span<const StudyRun> runs, std::span<const RunRecord> records) {
-  const auto count = [&](RunState state) {
-    return std::count_if(records.begin(), records.end(), [&](const RunRecord& r) { return r.state == state; });
-  };
-  std::string text =
-      fmt::format("{} runs: {} done, {} plugged, {} failed, {} to come\n", records.size(), count(RunState::done),
-                  count(RunState::plugged), count(RunState::failed), count(RunState::waiting));
+  const std::string text = states_text(records) + "\n";
   const auto ended = std::find_if(records.begin(), records.end(),
                                   [](const RunRecord& r) { return r.state == RunState::waiting && !r.reason.empty(); });
   if (ended == records.end()) return text;
@@ -168,8 +200,8 @@ std::string text_of(const CalibrationDeck& deck, const Estimate& estimate, const
   }
   text += curves + estimate.verdict + "\n";
   text += points_text(deck, estimate);
-  if (estimate.points.empty()) text += nearest_text(deck, estimate.nearest);
-  return text;
+  if (estimate.points.empty()) text += nearest_text(deck, estimate) + off_by_text(deck, estimate.nearest);
+  return text + other_parts_text(deck, estimate);
 }
 
 /// What is said of an estimate with less: where it is, and its region.
@@ -179,13 +211,16 @@ Json other_json(const OtherEstimate& other) {
   Json json = {{"verdict", other.estimate.verdict},
                {"points", points},
                {"parts", parts_json(other.estimate)},
+               {"nearest", nearest_json(other.estimate.nearest)},
                {"half_width", json_number(other.estimate.half_width)}};
   if (other.estimate.posterior) json["posterior"] = posterior_json(*other.estimate.posterior);
   return json;
 }
 
 std::string other_text(const CalibrationDeck& deck, const OtherEstimate& other) {
-  return fmt::format("{}: {}\n", other.what, other.estimate.verdict) + points_text(deck, other.estimate);
+  std::string text = fmt::format("{}: {}\n", other.what, other.estimate.verdict) + points_text(deck, other.estimate);
+  if (other.estimate.points.empty() && other.estimate.nearest.acceptable) text += nearest_text(deck, other.estimate);
+  return text + other_parts_text(deck, other.estimate);
 }
 
 }  // namespace
@@ -195,6 +230,7 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
   const std::span<const RunRecord> records = projection.records;
   const std::vector<ObservableData> data = observable_data(deck, records);
   const std::vector<OverduePhase> overdue = overdue_phases(deck, runs, records);
+  require_surfaces(deck, runs, records);
   const Misfit misfit = misfit_of(deck, runs, records);
   const Estimate result = estimate(misfit, deck.confidence);
   Json parameters = Json::array();
@@ -217,10 +253,7 @@ Report report_of(const Projection& projection, std::span<const StudyRun> runs) {
                {"observables", observables},
                {"points", points},
                {"parts", parts_json(result)},
-               {"nearest",
-                {{"values", result.nearest.values},
-                 {"misfit", json_number(result.nearest.misfit)},
-                 {"acceptable", result.nearest.acceptable}}},
+               {"nearest", nearest_json(result.nearest)},
                {"half_width", json_number(result.half_width)}};
   if (!overdue.empty()) json["ended_by_max_time"] = overdue_json(overdue);
   if (!projection.curves.empty()) json["curves"] = curves_json(projection.curves);

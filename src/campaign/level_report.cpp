@@ -1,5 +1,6 @@
 #include "campaign/level_report.h"
 
+#include <algorithm>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "calibration/level_surface.h"
 #include "calibration/posterior_estimate.h"
 #include "calibration/standard_runs.h"
@@ -53,6 +55,28 @@ std::ptrdiff_t points_done(const LevelRuns& level) {
   return std::ssize(points);
 }
 
+/// Whether a record has a value of observable `k` of the deck.
+bool has_value(const CalibrationDeck& deck, const RunRecord& record, std::size_t k) {
+  const ObservableDeck& o = deck.observables[k];
+  if (!counts(record, o.measured())) return false;
+  if (record.figures.size() == deck.observables.size()) return record.figures[k].has_value();
+  if (o.is_curve()) return true;
+  const auto before = deck.observables.begin() + static_cast<std::ptrdiff_t>(k);
+  const auto curves =
+      std::count_if(deck.observables.begin(), before, [](const ObservableDeck& other) { return other.is_curve(); });
+  return record.figures[k - static_cast<std::size_t>(curves)].has_value();
+}
+
+/// Points of a level at which an observable has a value.
+std::ptrdiff_t points_with_value(const CalibrationDeck& deck, const LevelRuns& level, std::size_t k) {
+  std::set<std::vector<double>> points;
+  for (std::size_t i = 0; i < level.runs.size(); ++i) {
+    const bool is_asked = level.runs[i].experiment == deck.observables[k].experiment;
+    if (is_asked && has_value(deck, level.records[i], k)) points.insert(level.runs[i].values);
+  }
+  return std::ssize(points);
+}
+
 OtherEstimate other_estimate(std::string what, Misfit misfit, double confidence) {
   Estimate found = estimate(misfit, confidence);
   return {std::move(what), std::move(misfit), std::move(found)};
@@ -65,17 +89,57 @@ const LevelSurface* level_surface(const Misfit& misfit, Index observable) {
 
 }  // namespace
 
+std::string states_text(std::span<const RunRecord> records) {
+  const auto count = [&](RunState state) {
+    return std::count_if(records.begin(), records.end(), [&](const RunRecord& r) { return r.state == state; });
+  };
+  return fmt::format("{} runs: {} done, {} plugged, {} failed, {} to come", records.size(), count(RunState::done),
+                     count(RunState::plugged), count(RunState::failed), count(RunState::waiting));
+}
+
+std::optional<TooFewPoints> too_few_points(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                                           std::span<const RunRecord> records, std::size_t first, std::size_t last) {
+  for (std::size_t level = first; level <= last; ++level) {
+    const LevelRuns own = runs_of_level(level, runs, records);
+    for (std::size_t k = 0; k < deck.observables.size(); ++k) {
+      const std::ptrdiff_t points = points_with_value(deck, own, k);
+      if (points >= least_points) continue;
+      const std::string what = fmt::format("observable \"{}\": has a value at {} points; a surface needs {} or more",
+                                           deck.observables[k].figure, points, least_points);
+      const std::string of_level = deck.levels.empty() ? "" : "level " + deck.levels[level].name + ": ";
+      return TooFewPoints{level, what, of_level + what};
+    }
+  }
+  return {};
+}
+
+void require_surfaces(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
+  const auto lacks = too_few_points(deck, runs, records, 0, deck.level_count() - 1);
+  if (!lacks) return;
+  std::string text = lacks->with_level + "; " + states_text(records);
+  const auto failed =
+      std::find_if(records.begin(), records.end(), [](const RunRecord& r) { return !r.reason.empty(); });
+  if (failed != records.end()) {
+    const StudyRun& run = runs[static_cast<std::size_t>(failed - records.begin())];
+    text += fmt::format("; runs/{}: {}", run.name, failed->reason);
+  }
+  throw DeckError(text);
+}
+
 KnownLevels known_levels(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                          std::span<const RunRecord> records) {
   for (std::size_t level = 1; level < deck.levels.size(); ++level) {
     const std::ptrdiff_t points = points_done(runs_of_level(level, runs, records));
-    if (points >= least_points) continue;
+    const auto lacks = too_few_points(deck, runs, records, level, level);
+    if (!lacks) continue;
     LevelRuns below = runs_of_levels(0, level - 1, runs, records);
     KnownLevels known{deck, std::move(below.runs), std::move(below.records), {}};
     known.deck.levels.resize(level);
-    known.left_out = fmt::format("level {} {} left out: {} points of it are done, a surface needs {} or more\n",
-                                 deck.levels[level].name, level + 1 < deck.levels.size() ? "and those above are" : "is",
-                                 points, least_points);
+    const std::string why = points < least_points ? fmt::format("{} points of it are done, a surface needs {} or more",
+                                                                points, least_points)
+                                                  : lacks->what;
+    known.left_out = fmt::format("level {} {} left out: {}\n", deck.levels[level].name,
+                                 level + 1 < deck.levels.size() ? "and those above are" : "is", why);
     return known;
   }
   return {deck, {runs.begin(), runs.end()}, {records.begin(), records.end()}, {}};

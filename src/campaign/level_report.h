@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,24 @@ struct OtherEstimate {
   Estimate estimate;
 };
 
+/// How many of the runs have come to what: a line.
+std::string states_text(std::span<const RunRecord> records);
+
+/// An observable without a surface: it has a value at fewer points of a level than one takes.
+struct TooFewPoints {
+  std::size_t level = 0;
+  std::string what;        ///< for a person: observable, points
+  std::string with_level;  ///< the same after the level's name, where there are several
+};
+
+/// The first such at the levels from `first` to `last`. Records have the figures of all observables of the deck, or of
+/// those that are no curves; a curve then has a value where its run counts for it.
+std::optional<TooFewPoints> too_few_points(const CalibrationDeck& deck, std::span<const StudyRun> runs,
+                                           std::span<const RunRecord> records, std::size_t first, std::size_t last);
+
+/// DeckError when an observable has too few points at any level, with what the runs have come to.
+void require_surfaces(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records);
+
 /// What a calibration is when a level of the model has too few runs yet.
 struct KnownLevels {
   CalibrationDeck deck;  ///< with the levels that are known
@@ -28,7 +47,8 @@ struct KnownLevels {
   std::string left_out;  ///< for a person: a line on the first that is not; empty: all are
 };
 
-/// The levels from the cheapest on, up to the first above it of which fewer points are done than a surface takes.
+/// The levels from the cheapest on, up to the first above it of which an observable has a value at fewer points than a
+/// surface takes.
 KnownLevels known_levels(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                          std::span<const RunRecord> records);
 

@@ -17,9 +17,10 @@ constexpr double strong = 0.8;   // a correlation of which a person should know
 constexpr double far_off = 2.0;  // from a prior, in its standard deviations
 
 std::string remark_of(const Marginal& m) {
-  if (!m.determined) return ", as wide as its prior";
-  if (std::fabs(m.off_prior) < far_off) return "";
-  return fmt::format(", {:.1f} standard deviations {} its prior", std::fabs(m.off_prior),
+  const std::string ranges = m.separate ? ", in separate ranges" : "";
+  if (!m.determined) return ranges + ", as wide as its prior";
+  if (std::fabs(m.off_prior) < far_off) return ranges;
+  return fmt::format("{}, {:.1f} standard deviations {} its prior", ranges, std::fabs(m.off_prior),
                      m.off_prior > 0.0 ? "above" : "below");
 }
 
@@ -74,6 +75,7 @@ Json posterior_json(const Posterior& posterior) {
                          {"prior_deviation", m.prior_deviation},
                          {"off_prior", json_number(m.off_prior)},
                          {"determined", m.determined}});
+    if (m.separate) marginals.back()["separate"] = true;
   }
   Json correlations = Json::array();
   for (Index row = 0; row < posterior.correlations.rows(); ++row) {

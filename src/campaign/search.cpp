@@ -11,6 +11,7 @@
 #include "calibration/start_design.h"
 #include "campaign/estimate_report.h"
 #include "campaign/expected_cost.h"
+#include "campaign/level_report.h"
 #include "campaign/observables.h"
 #include "comm/agreement.h"
 #include "files/atomic_file.h"
@@ -21,6 +22,7 @@ namespace {
 using Points = std::vector<LevelPoint>;
 
 constexpr double seconds_per_hour = 3600.0;
+constexpr std::uint64_t design_seed = 1;
 
 /// Six digits are more than a run can tell, and names of folders stay short.
 Points rounded(Points points) {
@@ -102,6 +104,35 @@ std::string counts_of(const CalibrationDeck& deck, const Points& points) {
   return text + " points";
 }
 
+/// Whether runs at further points can mend that an observable has too few: some have come to their ends, and a budget
+/// ends the search.
+bool can_go_on(const CalibrationDeck& deck, const DoneRuns& done, std::size_t level) {
+  for (std::size_t i = 0; i < done.runs.size(); ++i) {
+    if (done.runs[i].level != level || !is_complete(done.records[i].state)) continue;
+    return deck.adaptive.budget > 0 ||
+           (!std::isnan(deck.adaptive.budget_core_hours) && done.records[i].particle_steps > 0.0);
+  }
+  return false;
+}
+
+/// Points of a level that fill the space between those it has.
+Points filling(const CalibrationDeck& deck, const Points& points, std::size_t level, const BatchPlan& batch) {
+  std::vector<std::vector<double>> known;
+  for (const LevelPoint& point : points) {
+    if (point.level == level) known.push_back(point.values);
+  }
+  Points chosen;
+  double left = batch.budget;
+  for (std::vector<double>& values : points_between(ranges_of(deck.study), known, batch.points, design_seed)) {
+    LevelPoint& point = chosen.emplace_back(LevelPoint{level, std::move(values)});
+    left -= batch.cost(point);
+    if (left >= 0.0) continue;
+    chosen.pop_back();
+    break;
+  }
+  return chosen;
+}
+
 }  // namespace
 
 double core_hours(const CalibrationDeck& deck, std::span<const StudyRun> runs, std::span<const RunRecord> records) {
@@ -116,7 +147,6 @@ double core_hours(const CalibrationDeck& deck, std::span<const StudyRun> runs, s
 }
 
 std::vector<LevelPoint> first_design(const CalibrationDeck& deck) {
-  constexpr std::uint64_t design_seed = 1;
   const std::vector<ParameterRange> ranges = ranges_of(deck.study);
   Points points;
   for (std::size_t level = 0; level < deck.level_count(); ++level) {
@@ -137,13 +167,23 @@ DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work, Points point
     agree_after_root(work.world(), [&] {
       require_ended(done);
       const Projection now_known = project_curves(deck, work.directory(), done.runs, done.records);
+      const BatchPlan batch = batch_after(deck, done, points.size());
+      const auto lacks = too_few_points(now_known.deck, done.runs, now_known.records, 0, deck.level_count() - 1);
+      if (lacks && can_go_on(deck, done, lacks->level)) {
+        narrow = 0;
+        work.log().say(fmt::format("{}: no estimate yet; {}", counts_of(deck, points), lacks->with_level));
+        history += row_of(deck, done, points.size(), {});
+        write_text_file(work.directory() + "/search.csv", history);
+        more = rounded(filling(deck, points, lacks->level, batch));
+        return;
+      }
+      require_surfaces(now_known.deck, done.runs, now_known.records);
       const Misfit misfit = misfit_of(now_known.deck, done.runs, now_known.records);
       const Estimate now = estimate(misfit, deck.confidence);
       narrow = now.half_width && *now.half_width <= deck.adaptive.half_width ? narrow + 1 : 0;
       work.log().say(fmt::format("{}: {}", counts_of(deck, points), progress_of(now)));
       history += row_of(deck, done, points.size(), now);
       write_text_file(work.directory() + "/search.csv", history);
-      const BatchPlan batch = batch_after(deck, done, points.size());
       if (narrow >= 2 || batch.points == 0) return;
       more = rounded(next_level_points(misfit, now, batch));
     });

@@ -330,7 +330,7 @@ class Calibrate(FolderTest):
         wrong(self.PRIOR.replace("normal", "lognormal").replace("0.5", "-0.5"), "must be above 0 for a lognormal prior")
         wrong(self.PRIOR.replace("normal", "lognormal"), "must be above 0 for a lognormal prior",
               text=known.replace("min = 0.2", "min = 0"))
-        wrong(self.PRIOR, "a prior belongs to a calibration", command="sensitivity",
+        wrong(self.PRIOR, "is only allowed with a calibration", command="sensitivity",
               text='figures = ["discharged_mass_kg"]\n' + RESTITUTION + "PRIORmin = 0.2\nmax = 0.8\nfixed = 0.5\n")
         many = "".join(f'[[parameter]]\nname = "p{k}"\nkey = "particles.{k}.mass"\nmin = 0.1\nmax = 0.2\n' for k in range(7))
         wrong("", "7 parameters; at most 6 can be estimated together",

@@ -31,12 +31,30 @@ TEST(ChiSquared, OfTwoDegreesIsAnExponential) {
 
 // The two-sided 95 % and 99 % points of Student's t (table 26.10) are those of the normal distribution.
 TEST(NormalEquivalent, OfStudentsQuantiles) {
-  EXPECT_NEAR(normal_equivalent(3.182, 3), 1.960, 0.02);
+  EXPECT_NEAR(normal_equivalent(12.706, 1), 1.960, 1e-3);
+  EXPECT_NEAR(normal_equivalent(4.303, 2), 1.960, 1e-3);
+  EXPECT_NEAR(normal_equivalent(-3.182, 3), -1.960, 1e-3);
+  EXPECT_NEAR(normal_equivalent(5.841, 3), 2.576, 1e-3);
+  EXPECT_NEAR(normal_equivalent(2.571, 5), 1.960, 1e-3);
   EXPECT_NEAR(normal_equivalent(2.262, 9), 1.960, 0.002);
   EXPECT_NEAR(normal_equivalent(3.250, 9), 2.576, 0.005);
   EXPECT_NEAR(normal_equivalent(-2.086, 20), -1.960, 0.001);
   EXPECT_EQ(normal_equivalent(1.7, std::numeric_limits<double>::infinity()), 1.7);
   EXPECT_NEAR(normal_equivalent(2.0, 1e7), 2.0, 1e-5);
+}
+
+// No jumps: from the one formula to the other over the degrees of freedom, at t = 0, and far out.
+TEST(NormalEquivalent, IsContinuous) {
+  for (const double t : {1e-8, 0.3, 2.0, 30.0}) {
+    for (const double freedom : {5.0, 6.0}) {
+      EXPECT_NEAR(normal_equivalent(t, freedom - 1e-9), normal_equivalent(t, freedom + 1e-9), 1e-8)
+          << t << " " << freedom;
+    }
+  }
+  EXPECT_EQ(normal_equivalent(0.0, 2.0), 0.0);
+  EXPECT_NEAR(normal_equivalent(0.9999e-7, 2.0) / normal_equivalent(1.0001e-7, 2.0), 1.0, 1e-3);
+  EXPECT_LT(normal_equivalent(1e150, 1.0), normal_equivalent(1e280, 1.0));
+  EXPECT_TRUE(std::isfinite(normal_equivalent(1e150, 4.0)));
 }
 
 }  // namespace

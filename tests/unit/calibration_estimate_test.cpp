@@ -205,6 +205,8 @@ TEST(Estimate, AnObservableThatIsTheSameEverywhereTellsNothing) {
   Estimate e = estimate(ranges, grid_runs(), observables, 0.95);
   ASSERT_EQ(e.parts.size(), 1U);
   EXPECT_TRUE(e.parts[0].intervals[0].open_below);
+  EXPECT_LE(e.points.size(), 1U);
+  EXPECT_NE(e.verdict.find("do not tell mu, mu_r"), std::string::npos) << e.verdict;
   observables[1].laboratory.value = 4.0;
   e = estimate(ranges, grid_runs(), observables, 0.95);
   EXPECT_TRUE(e.points.empty());
@@ -220,6 +222,7 @@ TEST(Estimate, OfOneObservableTwiceIsABand) {
   EXPECT_TRUE(e.parts[0].intervals[0].open_below);
   EXPECT_TRUE(e.parts[0].intervals[0].open_above);
   EXPECT_NEAR(*e.half_width, 0.5, 1e-6);
+  EXPECT_EQ(e.points.size(), 1U);
 }
 
 }  // namespace

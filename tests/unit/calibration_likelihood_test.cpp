@@ -1,5 +1,6 @@
 // Restricted likelihood: against its own definition, and its gradient against differences.
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include "calibration/likelihood.h"
 #include "calibration/matern_kernel.h"
 #include "calibration/minimise.h"
+#include "calibration/shared_noise.h"
 #include "calibration_samples.h"
 
 namespace repose {
@@ -88,6 +90,30 @@ TEST(Minimise, FindsTheEndOfACurvedValley) {
       vector_of({-1.2, 1.0}));
   EXPECT_NEAR(found.x[0], 1.0, 1e-3);
   EXPECT_NEAR(found.x[1], 1.0, 1e-3);
+}
+
+// Where observables lack values their correlation is that of the runs that have both. rest_b = 0.9 rest_a + what is
+// independent of it, exactly, at each point of three runs; a fourth and fifth run have the one alone.
+TEST(SharedNoise, IsThatOfTheRunsThatHaveBoth) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Matrix points(50, 1);
+  std::vector<double> a, b;
+  const double across = std::sqrt(1.0 - 0.9 * 0.9) / std::sqrt(3.0);
+  for (Index run = 0; run < 50; ++run) {
+    const Index k = run % 5;
+    points(run, 0) = 0.1 * static_cast<double>(run / 5);
+    const double along[] = {1.0, -1.0, 0.0, 7.0, -4.0};
+    const double other[] = {1.0, 1.0, -2.0, 0.0, 0.0};
+    a.push_back(3.0 + along[k]);
+    b.push_back(k < 3 ? 5.0 + 0.9 * along[k] + across * other[k] : none);
+  }
+  const SharedNoise shared = shared_noise(replicates_of(points, a), replicates_of(points, b));
+  EXPECT_NEAR(shared.correlation, 0.9, 1e-12);
+  // Ten points of which one run each has both say nothing.
+  for (std::size_t run = 0; run < 50; ++run) {
+    if (run % 5 > 0) b[run] = none;
+  }
+  EXPECT_EQ(shared_noise(replicates_of(points, a), replicates_of(points, b)).correlation, 0.0);
 }
 
 }  // namespace

@@ -59,8 +59,8 @@ TEST(Prior, UniformIsTheRange) {
 }
 
 TEST(NormalEquivalent, SlopeIsThatOfTheFunction) {
-  for (const double freedom : {3.0, 20.0, 1e10}) {
-    for (const double t : {-4.0, -0.3, 0.0, 1e-5, 0.5, 2.0, 12.0}) {
+  for (const double freedom : {0.7, 1.0, 2.5, 3.0, 5.4, 6.0, 20.0, 1e10}) {
+    for (const double t : {-40.0, -4.0, -0.3, 0.0, 1e-4, 0.5, 2.0, 12.0}) {
       const double step = 1e-5;
       const double slope = (normal_equivalent(t + step, freedom) - normal_equivalent(t - step, freedom)) / (2.0 * step);
       EXPECT_NEAR(log_slope_of_normal_equivalent(t, freedom), std::log(slope), 1e-6) << t << " " << freedom;
@@ -178,6 +178,38 @@ TEST(Posterior, SaysThatNothingFits) {
   EXPECT_NEAR(e.nearest.values[0], 1.0, 1e-6);
   EXPECT_NEAR(e.nearest.off_by[0], -10.0, 0.1);
   EXPECT_NE(e.verdict.find("no parameters within the ranges"), std::string::npos) << e.verdict;
+}
+
+// All samples are where the prior is, far from where the laboratory is met.
+TEST(Posterior, FindsWhatFitsFarFromThePrior) {
+  const std::vector<ParameterRange> ranges = {{"a", 0.0, 1.0, {PriorKind::normal, 0.25, 0.06}}};
+  std::vector<std::vector<double>> runs;
+  for (int i = 0; i <= 20; ++i) runs.push_back({0.05 * i});
+  const auto hills = [](const auto& p) {
+    const auto hill = [&](double at) { return std::exp(-std::pow((p[0] - at) / 0.12, 2)); };
+    return hill(0.25) + 1.6 * hill(0.8);
+  };
+  const Estimate e = estimate(ranges, runs, std::vector{observable("f", runs, 1.35, 0.1, hills)}, 0.95);
+  EXPECT_TRUE(e.nearest.acceptable) << e.verdict;
+  EXPECT_LT(e.nearest.misfit, 1e-10);
+  EXPECT_NEAR(std::fabs(e.nearest.values[0] - 0.8), 0.12 * std::sqrt(std::log(1.6 / 1.35)), 5e-3);
+  ASSERT_EQ(e.points.size(), 1U);
+  EXPECT_NEAR(e.points[0].values[0], 0.25, 0.02);
+  EXPECT_NE(e.verdict.find("the priors draw the best point off the laboratory"), std::string::npos) << e.verdict;
+}
+
+// Of two narrow maxima the deviation is as great as that of the prior; yet the observable tells of the parameter.
+TEST(Posterior, OfTwoNarrowMaximaIsDetermined) {
+  const std::vector<ParameterRange> ranges = {{"a", 0.0, 1.0, {PriorKind::normal, 0.5, 0.4}}};
+  std::vector<std::vector<double>> runs;
+  for (int i = 0; i <= 20; ++i) runs.push_back({0.05 * i});
+  const auto bowl = [](const auto& p) { return (p[0] - 0.5) * (p[0] - 0.5); };
+  const Estimate e = estimate(ranges, runs, std::vector{observable("f", runs, 0.1225, 0.005, bowl)}, 0.95);
+  const Marginal& m = e.posterior->marginals[0];
+  EXPECT_GT(m.deviation, m.prior_deviation);
+  EXPECT_TRUE(m.determined);
+  EXPECT_TRUE(m.separate);
+  EXPECT_EQ(e.verdict, "posterior of 1 parameter from 1 observable");
 }
 
 TEST(Posterior, RefusesSevenParameters) {

@@ -84,6 +84,31 @@ TEST(ConfidencePart, LeavesOutWhatIsNotConnected) {
   EXPECT_FALSE(part.contains(vector_of({0.7, 0.5})));
 }
 
+// A parabola much thinner than a cell is one part, from wherever it is looked at.
+TEST(ConfidencePart, OfAThinBandIsOneWhicheverItsSeed) {
+  const Residuals band = [](const Vector& x) -> Vector {
+    return vector_of({(x[1] - 0.2 - 2.5 * (x[0] - 0.5) * (x[0] - 0.5)) / 2e-4, 0.0});
+  };
+  const Vector left = vector_of({0.23, 0.2 + 2.5 * 0.27 * 0.27});
+  const Vector right = vector_of({0.71, 0.2 + 2.5 * 0.21 * 0.21});
+  const ConfidencePart part = part_about(band, left, 1.0, 61);
+  EXPECT_TRUE(leads_to(band, part, right, 1.0));
+  EXPECT_TRUE(have_same_extent(part, part_about(band, right, 1.0, 61)));
+}
+
+// Two bands, of which the one reaches over the whole box.
+TEST(ConfidencePart, DoesNotLeadOverAGap) {
+  const Residuals two = [](const Vector& x) -> Vector {
+    const double first = x[1] - 0.3 - 0.3 * x[0];
+    return vector_of({first * std::hypot(x[0] - 0.6, x[1] - 0.35) / 0.002, 0.0});
+  };
+  const Vector other = vector_of({0.6, 0.35});
+  const ConfidencePart band = part_about(two, vector_of({0.2, 0.36}), 1.0, 81);
+  EXPECT_FALSE(band.contains(other));
+  EXPECT_FALSE(leads_to(two, band, other, 1.0));
+  EXPECT_FALSE(have_same_extent(band, part_about(two, other, 1.0, 81)));
+}
+
 // x^2 + y^2 = 1/2 and x = y cross at (1/2, 1/2); x y = 0.1 and x + y = 1 at two points.
 TEST(LocalMinima, AreTheCrossingsOfKnownCurves) {
   const Residuals one = [](const Vector& x) -> Vector { return vector_of({x.squaredNorm() - 0.5, x[0] - x[1]}); };

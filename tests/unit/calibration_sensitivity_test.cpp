@@ -110,6 +110,22 @@ TEST(Morris, RefusesOddLevels) {
   EXPECT_THROW(morris_effects(unit, morris_design(unit, 2, 4, 1), std::vector{1.0}), DeckError);
 }
 
+// Into the gaps: a point of a grid that is left out is nearly found again.
+TEST(StartDesign, PointsBetweenFillTheSpace) {
+  const std::vector<ParameterRange> ranges = {{"a", 0.0, 2.0}, {"b", 10.0, 11.0}};
+  std::vector<std::vector<double>> known;
+  for (int k = 0; k < 25; ++k) {
+    if (k != 12) known.push_back({0.5 * (k % 5), 10.0 + 0.25 * (k / 5)});
+  }
+  const auto points = points_between(ranges, known, 2, 1);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(points[0][0], 1.0, 0.1);
+  EXPECT_NEAR(points[0][1], 10.5, 0.05);
+  EXPECT_GT(std::hypot(0.5 * (points[1][0] - points[0][0]), points[1][1] - points[0][1]), 0.1);
+  EXPECT_EQ(points, points_between(ranges, known, 2, 1));
+  EXPECT_TRUE(points_between(ranges, known, 0, 1).empty());
+}
+
 TEST(StartDesign, ShowsEachParameterAtAsManyValuesAsPoints) {
   const std::vector<ParameterRange> ranges = {{"a", 0.1, 0.9}, {"b", 10.0, 17.0}};
   const auto points = start_design(ranges, 8, 1);

@@ -88,6 +88,15 @@ TEST(Draw, TopViewHasTheColoursOfTheAreas) {
   EXPECT_NEAR(excess(-0.045, -0.045), 0, 10);  // plate
 }
 
+/// Whatever radius the areas are counted from.
+TEST(Draw, TheBaseIsTheOneThatWasMeasured) {
+  Scattering result;
+  result.base_radius = 11e-3;
+  EXPECT_EQ(base_text(result), "No base");
+  result.measured_base_radius = 9e-3;
+  EXPECT_EQ(base_text(result), "Base 18.0 mm");
+}
+
 /// Lines and texts stay what they are in PDF and SVG; many grains are an image there, few are circles.
 TEST(Draw, VectorFormatsAreSmallAndRepeatable) {
   const std::vector<Sphere> pile = test::cone(5e-3, 30.0);

@@ -158,6 +158,27 @@ TEST(PhotoPile, WhatIsNoPictureOfAPileIsRefused) {
   EXPECT_NE(refusal(heap_picture({}), plate).find("scale.plate_width"), std::string::npos);
 }
 
+// From above, a heap is round: much of it lies below the line through what would be its feet. This one is pointed, so
+// that its upper part has straight flanks.
+TEST(PhotoPile, APhotographFromAboveIsRefused) {
+  const std::string found = refusal(picture({}, 0.8, [](double x, double y) {
+    const double up = 200.0 - y;
+    return up < 0.0 ? 120.5 - std::hypot(x - 300.0, up) : 120.5 - std::abs(x - 300.0) - 0.8 * up;
+  }));
+  EXPECT_NE(found.find("p.jpg: no pile is found"), std::string::npos) << found;
+  EXPECT_NE(found.find("from above"), std::string::npos) << found;
+}
+
+TEST(PhotoPile, ALineThatIsSteepIsTakenFromTheDeckAlone) {
+  const Image steep = heap_picture({.left_deg = 25.0, .right_deg = 35.0, .tilt = 0.1});
+  const std::string found = refusal(steep);
+  EXPECT_NE(found.find("tilted by 5.7 degrees, above 5; "), std::string::npos) << found;
+  PhotoDeck deck = deck_with_scale(10.0);
+  deck.pile.base_from = {0.0, 330.0 - 300.0 * std::tan(0.1)};
+  deck.pile.base_to = {600.0, 330.0 + 300.0 * std::tan(0.1)};
+  EXPECT_NEAR(measure(steep, deck).fit.mean_deg(), 30.0, 0.15);
+}
+
 TEST(PhotoPatches, AreaCentreAndRoundness) {
   // Ten pixels across, discs that touch: one has a roundness of 1, two have 2/3, three 9/11.
   const auto patches = [](const Discs& discs) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "deck_error.h"
+#include "photo/found_picture.h"
 #include "photo/plate_view.h"
 #include "photo_samples.h"
 
@@ -118,6 +119,16 @@ TEST(PhotoPlate, WithoutAPileTheDeckGivesAxisAndBase) {
   const PlateView view = measure(plate_picture(centres), deck, scattering);
   EXPECT_FALSE(view.measured_base_radius);
   EXPECT_EQ(view.areas[0].count, 21.0);
+}
+
+// Whatever radius the areas are counted from.
+TEST(PhotoPlate, TheTitleHasTheBaseThatWasMeasured) {
+  PlateView view;
+  view.base_radius = 11e-3;
+  view.areas = {{.number = 1, .to = {}, .count = 78.0}, {.number = 3, .to = {}, .count = 72.0}};
+  EXPECT_EQ(found_plate_title(view), "No base, area 1: 78, area 3: 72");
+  view.measured_base_radius = 9e-3;
+  EXPECT_EQ(found_plate_title(view), "Base 18.00 mm, area 1: 78, area 3: 72");
 }
 
 TEST(PhotoPlate, WhatCannotBeCountedIsRefused) {

@@ -25,6 +25,29 @@ def point_lines(estimate, point):
                                                         point["standard_errors"], intervals))
 
 
+def region_lines(estimate, part):
+    """Each calibrated parameter with a part of the region."""
+    share = f"{100 * estimate['confidence']:.0f} % region"
+    return "".join(html.line(words(p["name"]), f"<small>{share} "
+                             f"{interval_text(interval, interval['upper'] - interval['lower'])}</small>")
+                   for p, interval in zip(estimate["parameters"], estimate["parts"][part]["intervals"]))
+
+
+def nearest_lines(estimate):
+    """The nearest point, with the part of the region that it is in if it is acceptable: the first."""
+    values = zip(estimate["parameters"], estimate["nearest"]["values"])
+    lines = "".join(html.line(words(p["name"]), numbers.number(p["name"], value) + " <small>nearest point</small>")
+                    for p, value in values)
+    return lines + (region_lines(estimate, 0) if estimate["parts"] else "")
+
+
+def other_part_lines(estimate):
+    """The parts of the region in which there is no point."""
+    known = {point["part"] for point in estimate["points"]} or {0}
+    return "".join(html.element("h3", "Part of the region without such a point") + region_lines(estimate, part)
+                   for part in range(len(estimate["parts"])) if part not in known)
+
+
 def answer(found):
     if not found.is_complete:
         return html.paragraph("There is no estimate yet.")
@@ -35,10 +58,8 @@ def answer(found):
         lines += html.element("h3", f"Crossing {number + 1}") if len(points) > 1 else ""
         lines += point_lines(estimate, point)
     if not points:
-        nearest = estimate["nearest"]
-        lines += "".join(html.line(words(p["name"]), numbers.number(p["name"], value) + " <small>nearest point</small>")
-                         for p, value in zip(estimate["parameters"], nearest["values"]))
-    return lines
+        lines += nearest_lines(estimate)
+    return lines + other_part_lines(estimate)
 
 
 def posterior_warnings(estimate):
@@ -48,7 +69,10 @@ def posterior_warnings(estimate):
         name = html.escape(words(p["name"]))
         if not marginal["determined"]:
             listed.append(f"The figures do not determine {name}: its posterior is as wide as its prior.")
-        elif marginal["off_prior"] is not None and abs(marginal["off_prior"]) > 2.0:
+            continue
+        if marginal.get("separate"):
+            listed.append(f"{name} may lie in separate ranges, with nothing between them.")
+        if marginal["off_prior"] is not None and abs(marginal["off_prior"]) > 2.0:
             listed.append(f"{name} is off its prior by {numbers.signed(marginal['off_prior'])} standard deviations.")
     return listed
 
@@ -151,7 +175,7 @@ def posterior(found):
                      interval_text(marginal["interval"], marginal["deviation"]),
                      numbers.data(f"{100 * share:.0f} %", share)])
     note = html.paragraph("Each parameter with its prior (dashed) and its interval (red), and each pair with the regions "
-                          "that hold 68 and 95 % of it; the star is the most likely point.", "none")
+                          "that hold 68 and 95 % of it; the star is the best point.", "none")
     share = f"{100 * found.estimate['confidence']:.0f} % interval"
     return (note + html.picture(svg.of_figure(plots.corner(found), "posterior")) +
             html.table(["parameter", "prior", "mean ± deviation", "median", share, "width over that of the prior"], rows,
@@ -199,7 +223,7 @@ def levels(found):
     left_out = found.levels[len(rows):]  # see known_levels in src/campaign/level_report.h
     if left_out:
         text += html.paragraph(html.escape(f"Left out of the estimate: {' and '.join(left_out)}. Too few points of {left_out[0]} are "
-                                           "done for a surface as yet."))
+                                           "done with a value of each figure for a surface as yet."))
     links = [[numbers.name(o["figure"]), html.escape(f"{link['level']} of {link['below']}"),
               numbers.number("rho", link["rho"], link["rho_standard_error"]),
               numbers.data(f"{100 * link['explained']:.0f} %" if link["explained"] is not None else "none",
@@ -209,9 +233,12 @@ def levels(found):
     for key, title in (("first_level_alone", f"{found.levels[0]} alone"),
                        ("without_discrepancy", "without the discrepancy of the model")):
         if key in estimate:
-            other = {**estimate, **{name: estimate[key][name] for name in ("verdict", "points", "parts")}}
+            other = {**estimate, **estimate[key]}
             text += html.element("h3", html.escape(title)) + html.paragraph(html.escape(other["verdict"]))
             text += "".join(point_lines(other, point) for point in other["points"])
+            if not other["points"] and "nearest" in estimate[key] and other["nearest"]["acceptable"]:
+                text += nearest_lines(other)
+            text += other_part_lines(other)
     return text
 
 

@@ -146,6 +146,8 @@ PANELS = {"network": (1, 2), "tps": (1, 2), "sensor": (2, 2)}  # rows and column
 def plot(path):
     """The path of the picture, which appears whole or not at all."""
     result = read_json(path)
+    if not isinstance(result, dict) or result.get("tool") not in DRAW:
+        raise ReposeError(f"{path}: is no result of a thermal tool: it has no \"tool\" of {', '.join(DRAW)}")
     rows, columns = PANELS.get(result["tool"], (1, 1))
     figure, axes = new_figure(rows, columns, figsize=(4 + 3 * columns, 4.5 * rows), squeeze=False)
     DRAW[result["tool"]](result, *axes.flat)
@@ -163,8 +165,10 @@ def main():
     for path in sys.argv[1:]:
         try:
             print(plot(path))
-        except (ReposeError, OSError, ValueError, KeyError, TypeError) as error:
-            sys.exit(f"{path}: not a result of a thermal tool, or not to be read: {error!r}")
+        except (ReposeError, OSError) as error:
+            sys.exit(f"plot_thermal.py: {error}")
+        except (ValueError, LookupError, TypeError) as error:
+            sys.exit(f"plot_thermal.py: {path}: is no result of a thermal tool, or damaged: {error}")
 
 
 if __name__ == "__main__":

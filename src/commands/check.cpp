@@ -1,10 +1,12 @@
 #include <fmt/core.h>
 
+#include "base/error.h"
 #include "campaign/calibrate.h"
 #include "campaign/sensitivity.h"
 #include "campaign/validate.h"
 #include "commands/command.h"
 #include "deck/deck_kind.h"
+#include "deck/parse_toml.h"
 #include "deck/read_deck.h"
 #include "files/shared_file.h"
 #include "integration/time_step.h"
@@ -27,6 +29,40 @@ std::string limits_text(const Deck& deck, const TimeStep& dt) {
   return fmt::format("limits      {:.4g} s Rayleigh ({:.0f} %), {:.4g} s Hertz ({:.0f} %, at {:.3g} m/s)\n",
                      dt.rayleigh_limit, 100.0 * deck.time.rayleigh_fraction, dt.hertz_limit,
                      100.0 * deck.time.hertz_fraction, dt.speed);
+}
+
+struct ToolKey {
+  const char* key;  ///< at the top level of no deck of a run
+  const char* command;
+};
+constexpr ToolKey tool_keys[] = {{"particle_conductivity", "thermal bed"},
+                                 {"state", "thermal mixture"},
+                                 {"box", "thermal network"},
+                                 {"criteria", "thermal tps"},
+                                 {"sensor", "thermal tps"},
+                                 {"figure", "compare"},
+                                 {"scale", "photo"}};
+
+/// DeckError when it is the file of a tool, whose mistakes the tool finds before it measures.
+void require_no_tool_file(const std::string& text, const std::string& path) {
+  const toml::table root = parse_toml(text, path);
+  const auto refuse = [&](const char* command) {
+    throw DeckError(fmt::format("{}: no deck of a run, but a file for repose {}", path, command));
+  };
+  for (const ToolKey& tool : tool_keys) {
+    if (root.contains(tool.key)) refuse(tool.command);
+  }
+  if (root.at_path("material[0].room")) refuse("thermal sensor");
+}
+
+/// Steps as expensive as one with contacts: without mechanics those of heat alone cost something.
+double costly_steps(const Deck& deck, const TimeStep& dt) {
+  double steps = 0.0;
+  for (const PhaseDeck& phase : deck.phases) {
+    const auto longest = static_cast<double>(longest_steps(phase, dt.step));
+    steps += phase.mechanics ? longest : longest / static_cast<double>(deck.heat.every);
+  }
+  return steps;
 }
 
 /// What a run of this deck would be: particles, time step and what sets it, steps, expected memory and time on `ranks`
@@ -61,7 +97,8 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   report += fmt::format("steps       {:.0f}\n", steps);
   report += fmt::format("memory      about {:.0f} MB\n", 1e-6 * (count * bytes_per_particle + ranks * bytes_per_rank));
   report += fmt::format("wall time   about {} on {} rank{}, if every phase takes its longest\n",
-                        duration_text(count * steps / (usual_core_speed * ranks)), ranks, ranks == 1 ? "" : "s");
+                        duration_text(count * costly_steps(deck, dt) / (usual_core_speed * ranks)), ranks,
+                        ranks == 1 ? "" : "s");
   return report;
 }
 
@@ -85,6 +122,7 @@ class Check : public Command {
       case DeckKind::validation:
         return check_validation(comm, request);
       case DeckKind::run:
+        require_no_tool_file(text, deck_);
         break;
     }
     return check_report(read_deck(text, deck_, overrides_), reader_beside(comm, deck_), comm.size());

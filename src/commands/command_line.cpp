@@ -33,6 +33,23 @@ std::string joined_lines(std::string text) {
   return text;
 }
 
+/// The first option of the command line that the command does not have; empty when it has all.
+std::string unknown_option(const CLI::App& app) {
+  for (const std::string& word : app.remaining(true)) {
+    if (word.size() > 1 && word[0] == '-') return word.substr(0, word.find('='));
+  }
+  return {};
+}
+
+std::string no_option(const std::string& word, const CLI::App& command, const std::string& path) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return fmt::format("there is no option \"{}\"; did you mean {}? {} --help lists them", word, nearest(word, names),
+                     path);
+}
+
 /// What is wrong with a command line that CLI11 does not take, and whose help tells more: that of the command, the
 /// group or the program that was named last.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
@@ -46,6 +63,9 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error, int argc,
   std::vector<std::string> commands;
   for (const CLI::App* command : named->get_subcommands([](const CLI::App*) { return true; })) {
     commands.push_back(command->get_name());
+  }
+  if (const std::string unknown = unknown_option(app); commands.empty() && !unknown.empty()) {
+    return no_option(unknown, *named, path);  // it may be meant for what is required
   }
   if (commands.empty() || (words < argc && argv[words][0] == '-')) {
     return fmt::format("{}; see {} --help", joined_lines(error.what()), path);

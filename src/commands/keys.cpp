@@ -1,12 +1,11 @@
 #include <functional>
 #include <map>
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "commands/command.h"
 #include "deck/calibration_deck.h"
-#include "deck/nearest.h"
 #include "deck/resolved_deck.h"
 #include "deck/sensitivity_deck.h"
 #include "deck/validation_deck.h"
@@ -37,7 +36,7 @@ std::string keys_of(const std::string& command) {
   if (const auto found = files.find(command); found != files.end()) return found->second();
   std::vector<std::string> names;
   for (const auto& [name, keys] : files) names.push_back(name);
-  throw DeckError(fmt::format("there are no keys of \"{}\"; did you mean {}?", command, nearest(command, names)));
+  throw DeckError(fmt::format("there are no keys of \"{}\", but of {}", command, fmt::join(names, ", ")));
 }
 
 class Keys : public Command {

@@ -55,13 +55,15 @@ class New : public Command {
     options.quantity("--density", density_,
                      {"DENSITY", Unit::density, above(0), "a density above 0, such as 2500 or \"2.5 g/cm3\""},
                      "of the grains");
-    options.quantity("--grains", grains_, {"NUMBER", Unit::none, from_to(100, 1e9), "a number from 100 to 1e9"},
+    options.quantity("--grains", grains_,
+                     {"NUMBER", Unit::none, from_to_below(100, 1e9), "a number from 100 to less than 1e9"},
                      "how many; the apparatus becomes larger or smaller by the cube root");
     options.quantity("--youngs-modulus", youngs_modulus_,
                      {"PRESSURE", Unit::pascal, above(0), "a pressure above 0, such as 5e6 or \"5 MPa\""},
                      "of grains and walls; as soft as in the test if not given");
     const Options::Quantity coefficient = {"NUMBER", Unit::none, at_least(0), "a number, 0 at least"};
-    options.quantity("--restitution", restitution_, coefficient, "between grains");
+    options.quantity("--restitution", restitution_, {"NUMBER", Unit::none, from_to(0, 1), "a number from 0 to 1"},
+                     "between grains");
     options.quantity("--sliding-friction", sliding_friction_, coefficient, "between grains");
     options.quantity("--rolling-friction", rolling_friction_, coefficient, "between grains");
     options.option("--output", output_, "FILE", "deck to write, which must not be there; printed if not given");

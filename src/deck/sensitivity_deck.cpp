@@ -1,6 +1,8 @@
 #include "deck/sensitivity_deck.h"
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
 
 #include <fmt/core.h>
 
@@ -16,10 +18,46 @@ void describe(V& v, MorrisDeck& m) {
   v("levels", m.levels, Unit::none, at_least(2), optional, "values of each parameter; even");
 }
 
+/// A parameter of a study without what a calibration alone has.
+struct VariedParameter {
+  ParameterDeck deck;
+};
+
+/// Hands on the keys of a study, of which a parameter must have its ends and may have nothing of a calibration;
+/// `repose keys` does not list that.
+template <class V>
+struct WithoutCalibration {
+  V& v;
+
+  template <class T>
+  void operator()(std::string_view key, T& value, Unit unit, const Range& range, const Presence& presence,
+                  std::string_view meaning) {
+    constexpr std::string_view others[] = {"points", "values", "prior", "prior_mean", "prior_deviation"};
+    if (std::find(std::begin(others), std::end(others), key) == std::end(others)) {
+      v(key, value, unit, range, key == "min" || key == "max" || key == "fixed" ? required : presence, meaning);
+    } else if constexpr (!std::is_same_v<V, KeyReference>) {
+      v(key, value, unit, range, presence.when(false, "a calibration"), meaning);
+    }
+  }
+  void sections(std::string_view name, std::vector<ParameterDeck>& parameters, const Presence& presence,
+                std::string_view meaning) {
+    std::vector<VariedParameter> varied;
+    v.sections(name, varied, presence, meaning);
+    for (const VariedParameter& p : varied) parameters.push_back(p.deck);
+  }
+};
+
+template <class V>
+void describe(V& v, VariedParameter& p) {
+  WithoutCalibration<V> some{v};
+  describe(some, p.deck);
+}
+
 template <class V>
 void describe(V& v, SensitivityDeck& d) {
-  describe_study(v, d.study);
   v("figures", d.figures, Unit::none, any_value, required, "keys of summary.json");
+  WithoutCalibration<V> some{v};
+  describe_study(some, d.study);
   v.section("morris", d.morris, optional, "Morris screening beside one at a time");
 }
 
@@ -28,14 +66,6 @@ namespace {
 void check(SensitivityDeck& deck, DeckErrors& errors) {
   check_study(deck.study, errors);
   if (deck.figures.empty()) errors.add("figures", "\"figures\" names none");
-  for (std::size_t i = 0; i < deck.study.parameters.size(); ++i) {
-    const ParameterDeck& p = deck.study.parameters[i];
-    const std::string section = fmt::format("parameter.{}", i);
-    if (p.points > 0 || !p.values.empty()) errors.add(section, "\"points\" and \"values\" belong to a calibration");
-    if (p.prior != ParameterPrior::uniform || !std::isnan(p.prior_mean) || !std::isnan(p.prior_deviation))
-      errors.add(section + ".prior", "a prior belongs to a calibration");
-    if (std::isnan(p.fixed)) errors.add(section, "[[parameter]] lacks \"fixed\" (its value while another changes)");
-  }
   constexpr std::int64_t most = 100000;
   if (deck.study.seeds > most || deck.morris.trajectories > most || deck.morris.levels > most) {
     errors.add("seeds", fmt::format("at most {} seeds, trajectories and levels are taken", most));

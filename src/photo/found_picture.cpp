@@ -15,8 +15,11 @@ constexpr double picture_width = 1200.0;
 constexpr double header = 70.0;
 constexpr Colour outline_colour{40, 130, 230};
 constexpr Colour line_colour{225, 50, 40};
+constexpr Colour circle_colour{255, 45, 30};
+constexpr double circle_width = 4.0;
+constexpr double mark_width = 2.0;
 constexpr Colour base_colour{30, 170, 70};
-constexpr Colour clump_colour{240, 140, 20};
+constexpr Colour clump_colour{255, 120, 0};
 constexpr Colour speck_colour{170, 80, 200};
 
 /// From pixels of the photograph to those of the picture.
@@ -101,24 +104,31 @@ Picture found_pile_picture(const Image& image, const PileView& view) {
   });
 }
 
-Picture found_plate_picture(const Image& image, const PlateView& view) {
-  std::string title = fmt::format("Base {:.2f} mm", 2e3 * view.base_radius);
+std::string found_plate_title(const PlateView& view) {
+  std::string title = view.measured_base_radius ? fmt::format("Base {:.2f} mm", 2e3 * *view.measured_base_radius)
+                                                : std::string("No base");
   for (const CountedArea& area : view.areas) title += fmt::format(", area {}: {:.0f}", area.number, area.count);
-  return picture_of(image, title, [&](Canvas& canvas, const Frame& frame) {
+  return title;
+}
+
+Picture found_plate_picture(const Image& image, const PlateView& view) {
+  return picture_of(image, found_plate_title(view), [&](Canvas& canvas, const Frame& frame) {
     canvas.many_discs(view.grains.kind.size() + view.peaks.size(), [&](Canvas& pixels) {
       for (std::size_t i = 0; i < view.grains.kind.size(); ++i) {
         const Patch& p = view.grains.patches.all[i];
         const bool is_single = view.grains.kind[i] == GrainPatches::Kind::single;
         if (!is_single && view.grains.kind[i] != GrainPatches::Kind::speck) continue;
         const double radius = std::max(2.0, frame.zoom * 1.5 * std::sqrt(p.area / pi));
-        pixels.circle(frame.at(p.x, p.y), radius, 1.2, is_single ? outline_colour : speck_colour);
+        pixels.circle(frame.at(p.x, p.y), radius, mark_width, is_single ? outline_colour : speck_colour);
       }
       const double radius = std::max(2.0, frame.zoom * std::sqrt(view.grains.grain_area / pi));
-      for (const GrainPeak& peak : view.peaks) pixels.circle(frame.at(peak.at.x, peak.at.y), radius, 1.2, clump_colour);
+      for (const GrainPeak& peak : view.peaks) {
+        pixels.circle(frame.at(peak.at.x, peak.at.y), radius, mark_width, clump_colour);
+      }
     });
     for (const CountedArea& area : view.areas) {
-      canvas.circle(frame.at(view.axis.x, view.axis.y), frame.zoom * view.pixels_per_metre * area.from, 2.0,
-                    line_colour);
+      canvas.circle(frame.at(view.axis.x, view.axis.y), frame.zoom * view.pixels_per_metre * area.from, circle_width,
+                    circle_colour);
     }
   });
 }

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/math.h"
 #include "photo/base_line.h"
 #include "photo/patches.h"
 
@@ -13,12 +14,39 @@ namespace repose::photo {
 namespace {
 
 constexpr double rough_share = 0.25;  // of the contrast
+constexpr double most_below = 0.2;    // of what stands out: a heap on a photograph from above has a quarter and more
+constexpr double most_tilt_deg = 5.0;
 
 BaseLine given_line(const PhotoDeck& deck) {
   const auto& from = deck.pile.base_from;
   const auto& to = deck.pile.base_to;
   const double slope = (to[1] - from[1]) / (to[0] - from[0]);
   return {.y_at_0 = from[1] - slope * from[0], .slope = slope, .plate_left = {}, .plate_right = {}};
+}
+
+/// Of the pixels of a patch.
+double share_below(const BaseLine& line, const Patches& patches, std::int32_t which) {
+  double below = 0.0, all = 0.0;
+  patches.for_each_pixel(which, [&](std::size_t x, std::size_t y) {
+    below += static_cast<double>(y) > line.y(static_cast<double>(x)) ? 1.0 : 0.0;
+    all += 1.0;
+  });
+  return below / all;
+}
+
+/// Of a line that was found.
+void check_line(const BaseLine& line, const Patches& patches, std::int32_t pile, const std::string& name) {
+  const double below = line.plate_left ? 0.0 : share_below(line, patches, pile);
+  if (below > most_below) {
+    no_pile(name, fmt::format("{:.0f} % of what stands out lies below the line through its feet, as on a photograph "
+                              "from above",
+                              100.0 * below));
+  }
+  const double tilt = std::atan(line.slope) * 180.0 / pi;
+  if (std::abs(tilt) > most_tilt_deg) {
+    no_pile(name, fmt::format("its base line would be tilted by {:.1f} degrees, above {:.0f}", std::abs(tilt),
+                              most_tilt_deg));
+  }
 }
 
 }  // namespace
@@ -42,7 +70,9 @@ Level find_level(const Subject& subject, const PhotoDeck& deck, const std::strin
         find_patches(subject.excess.width, subject.excess.height,
                      [&](std::size_t x, std::size_t y) { return subject.excess.at(x, y) > threshold; });
     if (patches.all.empty()) no_pile(name, "nothing stands out from the background");
-    line = find_base_line(subject.excess, patches, largest(patches.all).first);
+    const std::int32_t pile = largest(patches.all).first;
+    line = find_base_line(subject.excess, patches, pile);
+    check_line(line, patches, pile, name);
   }
   Level result;
   result.tilt = std::atan(line.slope);

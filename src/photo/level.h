@@ -16,7 +16,8 @@ struct Level {
 };
 
 /// Finds the line on which the pile stands, or takes it from the deck, and levels the picture by it. DeckError when
-/// nothing stands out; `name` is for messages.
+/// nothing stands out, or when much of it lies below a line that was found or that line is steep; `name` is for
+/// messages.
 Level find_level(const Subject& subject, const PhotoDeck& deck, const std::string& name);
 
 /// A threshold for what certainly stands out, to find where the pile is.

@@ -100,7 +100,7 @@ std::string count_text(const char* name, const AreaCount& area) {
 void draw_counts(Canvas& canvas, const Scattering& result) {
   const double centre = 0.5 * picture_width;
   const double right = picture_width - margin;
-  canvas.text({margin, 52.0}, fmt::format("Base {:.1f} mm", 2e3 * result.base_radius), large(canvas), ink);
+  canvas.text({margin, 52.0}, base_text(result), large(canvas), ink);
   canvas.text({right, 52.0}, fmt::format("Off the plate: {}", result.off_plate), large(canvas), ink, Align::right);
   canvas.text({margin, 108.0}, count_text("Area 1", result.area_1), large(canvas), area_1_colour);
   canvas.text({centre, 108.0}, result.area_2 ? count_text("Area 2", *result.area_2) : "No area 2", large(canvas),
@@ -118,6 +118,11 @@ void cover_surroundings(Canvas& canvas, const Pixel& low, const Pixel& high) {
 }
 
 }  // namespace
+
+std::string base_text(const Scattering& result) {
+  if (!result.measured_base_radius) return "No base";
+  return fmt::format("Base {:.1f} mm", 2e3 * *result.measured_base_radius);
+}
 
 Picture top_view_picture(const ScatteringDeck& deck, const Scattering& result, std::span<const Sphere> grains) {
   const Frame frame = frame_around(deck);

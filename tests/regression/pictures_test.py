@@ -9,6 +9,7 @@ import os
 import subprocess
 import sys
 import unittest
+import warnings
 from types import SimpleNamespace
 
 import matplotlib.image
@@ -69,13 +70,26 @@ class Pictures(SharedFolderTest):
         self.assertEqual(sorted(os.listdir(output)), ["energies.pdf", "energies.png"])
 
     def test_walls_go_in_a_phase_too_short_for_a_row(self):
-        from repose.plots.course import is_present
+        from repose.plots.course import first_rows, is_present
         series = {"time_s": np.array([0.0, 1.0, 2.0, 3.0]), "phase": np.array([0.0, 0.0, 2.0, 2.0])}
         deck = {"phase": [{"name": "settle"}, {"name": "open", "remove_walls": ["lid"]},
                           {"name": "discharge", "add_walls": ["gate"]}]}
         for wall, present in (({"name": "lid"}, [True, True, True, False]),
                               ({"name": "gate", "present": False}, [False, False, False, True])):
-            self.assertEqual(is_present(wall, series["time_s"], series, deck).tolist(), present, wall["name"])
+            self.assertEqual(is_present(wall, series["time_s"], first_rows(series), deck).tolist(), present, wall["name"])
+
+    def test_a_phase_begins_between_two_rows(self):
+        from repose.plots.course import phase_begins
+        series = {"time_s": np.array([0.0, 0.2, 0.4, 0.6]), "phase": np.array([0.0, 0.0, 0.0, 1.0])}
+        summary = {"timestep_s": 0.1, "phases": [{"steps": 4}, {"steps": 7}]}
+        run = SimpleNamespace(series=series, summary=summary, is_complete=True)
+        self.assertEqual(phase_begins(run).tolist(), [0.0, 0.4])
+        run.is_complete = False
+        self.assertEqual(phase_begins(run).tolist(), [0.0, 0.6])
+
+    def test_names_of_phases_cover_no_other(self):
+        from repose.plots.course import rows_of_names
+        self.assertEqual(rows_of_names([0.0, 0.02, 0.05, 0.1, 0.13], [0.1, 0.1, 0.02, 0.1, 0.1]), [0, 1, 2, 0, 1])
 
     def test_the_weight_is_that_of_all_grains_that_were_poured(self):
         from repose.plots.course import weight_of_grains
@@ -86,6 +100,20 @@ class Pictures(SharedFolderTest):
         run = SimpleNamespace(snapshots=[Grains([1.0]), Grains([1.0, 2.0]), Grains([2.0])], deck={"gravity": [0.0, 0.0, -10.0]})
         self.assertEqual(weight_of_grains(run), 30.0)
         self.assertIsNone(weight_of_grains(SimpleNamespace(snapshots=[])))
+
+    def test_effects_that_are_none_keep_their_places(self):
+        from repose.plots import effect
+        some = {"effect": 1e-3, "standard_error": 1e-4}
+        for second, count in (({"effect": None, "standard_error": None}, 2), (some, 1)):
+            found = {"sliding_friction": {"effect": None, "standard_error": None}, "restitution": second}
+            study = SimpleNamespace(parameters=list(found), effects=lambda figure, found=found: found)
+            with warnings.catch_warnings(action="error"):
+                figure = effect(study, "angle_of_repose_deg")
+                figure.savefig(os.path.join(self.folder, "effects.png"))
+            axes = figure.axes[0]
+            self.assertEqual([label.get_text() for label in axes.get_yticklabels()], ["sliding friction", "restitution"])
+            self.assertEqual([text.get_text() for text in axes.texts], ["none"] * count)
+            self.assertEqual(len(axes.patches), 2 - count)
 
     def test_a_yield_locus_takes_several_runs(self):
         done = self.tool("shear.py", "--yield-locus", self.run_folder)

@@ -155,11 +155,16 @@ class Thermal(FolderTest):
 
     def test_a_plot_of_something_else_is_refused(self):
         plot = os.path.join(self.program.source, "tools", "plot_thermal.py")
-        for text in ("{}", "[", '{"tool": "oven", "title": ""}'):
+        for text, why in (("{}", 'is no result of a thermal tool: it has no "tool" of bed, network, .*'),
+                          ("[]", "is no result of a thermal tool: .*"), ("[", ".*"),
+                          ('{"tool": "oven", "title": ""}', "is no result of a thermal tool: .*"),
+                          ('{"tool": "bed", "title": ""}', "is no result of a thermal tool, or damaged: .*")):
             done = subprocess.run(["/usr/bin/python3", plot, self.write("other.json", text)], capture_output=True, text=True)
             self.assertEqual(done.returncode, 1)
-            self.assertIn("other.json: not a result of a thermal tool", done.stderr)
-            self.assertNotIn("Traceback", done.stderr)
+            self.assertRegex(done.stderr, rf"^plot_thermal.py: .*other.json: {why}\n$")
+            self.assertNotRegex(done.stderr, "Traceback|Error")
+        done = subprocess.run(["/usr/bin/python3", plot, self.path("absent.json")], capture_output=True, text=True)
+        self.assertRegex(done.stderr, "^plot_thermal.py: .*absent.json.*\n$")
 
 
 if __name__ == "__main__":

@@ -113,11 +113,16 @@ std::string remedy(const ParticlesDeck& fill, std::int64_t count, std::int64_t f
 
 }  // namespace
 
+DeckError too_many(const char* what, double count, const std::string& block) {
+  return DeckError(
+      fmt::format("{}: {:.3g} {} are too many; fewer than {:.0e} are taken", block, count, what, most_particles));
+}
+
 std::int64_t fill_count(const ParticlesDeck& fill, double density, const std::string& block) {
   const double wanted =
       fill.count > 0 ? static_cast<double>(fill.count) : fill.mass / sphere_mass(0.5 * fill.diameter, density);
   if (!(wanted >= 0.5)) throw DeckError(fmt::format("{}: count or mass must give at least one particle", block));
-  if (!(wanted < most_particles)) throw DeckError(fmt::format("{}: {:.3g} particles are too many", block, wanted));
+  if (!(wanted < most_particles)) throw too_many("particles", wanted, block);
   if (fill.count > 0) return fill.count;
   return static_cast<std::int64_t>(std::floor(wanted + 0.5));
 }

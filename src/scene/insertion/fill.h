@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "deck/deck.h"
 #include "scene/walls/wall.h"
 
@@ -11,6 +12,9 @@ namespace repose {
 
 /// A block of as many particles or more is refused before memory is asked for.
 inline constexpr double most_particles = 1e9;
+
+/// That so many `what` of a block are too many, and how many may be.
+DeckError too_many(const char* what, double count, const std::string& block);
 
 /// Number of particles a fill block asks for: its count, or its mass (kg) over the mass of one particle of the density
 /// (kg/m^3), rounded. DeckError, beginning with `block`, when that is none or too many.

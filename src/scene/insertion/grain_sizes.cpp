@@ -17,7 +17,7 @@ std::vector<double> draw_radii(const ParticlesDeck& particles, const SizeDistrib
   }
   const double expected =
       particles.count > 0 ? static_cast<double>(particles.count) : particles.mass / (density * sizes.mean_volume());
-  if (!(expected < most_particles)) throw DeckError(fmt::format("{}: {:.3g} particles are too many", block, expected));
+  if (!(expected < most_particles)) throw too_many("particles", expected, block);
   std::vector<double> radii;
   const auto next = [&] {
     const auto id = static_cast<std::uint64_t>(first_id) + radii.size();

@@ -33,7 +33,7 @@ struct Planes {
 /// DeckError for more sites than a block may have, and before one of the numbers of planes would overflow.
 void check_size(double x, double y, double z, const std::string& block) {
   const double sites = 0.125 * x * y * z;
-  if (!(sites < most_particles)) throw DeckError(fmt::format("{}: {:.3g} sites are too many", block, sites));
+  if (!(sites < most_particles)) throw too_many("sites", sites, block);
 }
 
 Planes planes_of(const ParticlesDeck& lattice, const std::string& block) {

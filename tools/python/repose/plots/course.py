@@ -7,6 +7,7 @@ from repose.units import prefixed
 
 ENERGIES = (("gravitational", "gravitational, above its least"), ("translational", "kinetic, translation"),
             ("rotational", "kinetic, rotation"), ("elastic", "elastic, contacts"))
+LETTER = 0.016  # of the width of a picture, that a letter of a phase's name takes
 MOST_STEPS = 1000  # of the rate: a picture shows no more
 
 
@@ -16,29 +17,50 @@ def weight_of_grains(run):
     return None if fullest is None else float(fullest.mass.sum() * np.linalg.norm(run.deck["gravity"]))
 
 
-def phase_begins(series):
+def first_rows(series):
     """Time of the first row of each phase that has begun; of one too short for a row that of the next phase."""
     phases = np.arange(series["phase"][-1] + 1)
     return series["time_s"][np.searchsorted(series["phase"], phases)]
 
 
-def is_present(wall, times, series, deck):
+def phase_begins(run):
+    """When each phase has begun, by the steps of those before it; while the run is not complete, by the first rows."""
+    if not run.is_complete:
+        return first_rows(run.series)
+    steps = [phase["steps"] for phase in run.summary["phases"]]
+    return run.summary["timestep_s"] * np.cumsum([0, *steps])[:len(steps)]
+
+
+def is_present(wall, times, begins, deck):
     """At each time: walls come and go as phases begin."""
     present = np.full(len(times), wall.get("present", True))
-    for phase, begin in zip(deck["phase"], phase_begins(series)):
+    for phase, begin in zip(deck["phase"], begins):
         for key, value in (("remove_walls", False), ("add_walls", True)):
             if wall["name"] in phase.get(key, ()):
                 present[times > begin] = value
     return present
 
 
-def mark_phases(axes, series, deck):
-    """A line where a phase begins, with its name behind it."""
-    names = {begin: phase["name"] for phase, begin in zip(deck["phase"], phase_begins(series))}
-    for begin, name in names.items():
-        if begin > series["time_s"][0]:
+def rows_of_names(places, lengths):
+    """For names that begin at these places, which rise: the lowest row in which each touches none before it."""
+    ends, rows = [], []
+    for place, length in zip(places, lengths):
+        row = next((row for row, end in enumerate(ends) if end <= place), len(ends))
+        ends[row:row + 1] = [place + length]
+        rows.append(row)
+    return rows
+
+
+def mark_phases(axes, run):
+    """A line where a phase begins, with its name behind it; above another name where that would be covered."""
+    start, end = (run.series["time_s"][row] for row in (0, -1))
+    names = {begin: phase["name"] for phase, begin in zip(run.deck["phase"], phase_begins(run))}
+    rows = rows_of_names([begin / max(end - start, 1e-12) for begin in names],
+                         [LETTER * (len(name) + 1) for name in names.values()])
+    for (begin, name), row in zip(names.items(), rows):
+        if begin > start:
             axes.axvline(begin, color="0.55", linewidth=0.8, linestyle=":")
-        axes.annotate(name, (begin, 1.0), xycoords=("data", "axes fraction"), xytext=(3, 2),
+        axes.annotate(name, (begin, 1.0), xycoords=("data", "axes fraction"), xytext=(3, 2 + 9 * row),
                       textcoords="offset points", fontsize=7.5, color="0.35")
 
 
@@ -72,7 +94,7 @@ def discharge(run):
         axes.set_ylim(bottom=0.0)
     if len(curves) > 1:
         above.legend()
-    mark_phases(above, series, run.deck)
+    mark_phases(above, run)
     over_time(below, series)
     return figure
 
@@ -95,16 +117,16 @@ def energies(run):
     axes.set_ylim(max(0.3 * lowest, 1e-12 * highest), 3.0 * highest)
     axes.set_ylabel("energy, J")
     axes.legend(ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.2))
-    mark_phases(axes, series, run.deck)
+    mark_phases(axes, run)
     over_time(axes, series)
     return figure
 
 
-def forces_along_gravity(run, loads, series):
+def forces_along_gravity(run, loads):
     """Of each wall that is touched, with those that move with it, in N, at the times that it is there."""
     gravity = np.array(run.deck["gravity"])
     down = gravity / np.linalg.norm(gravity) if gravity.any() else np.array((0.0, 0.0, -1.0))
-    forces = {}
+    forces, begins = {}, phase_begins(run)
     walls = run.deck.get("wall", ())
     for wall in walls:
         if wall.get("moves_with"):
@@ -112,7 +134,7 @@ def forces_along_gravity(run, loads, series):
         body = [wall["name"], *(other["name"] for other in walls if other.get("moves_with") == wall["name"])]
         force = sum(down[k] * loads[f"{name}_force_{'xyz'[k]}_N"] for name in body for k in range(3))
         if np.abs(force).max() > 0.0:
-            forces[wall["name"]] = np.where(is_present(wall, loads["time_s"], series, run.deck), force, np.nan)
+            forces[wall["name"]] = np.where(is_present(wall, loads["time_s"], begins, run.deck), force, np.nan)
     return forces
 
 
@@ -120,7 +142,7 @@ def forces_along_gravity(run, loads, series):
 def walls(run):
     """The force on each wall along gravity."""
     series, loads = run.series, run.walls
-    forces = forces_along_gravity(run, loads, series) if series is not None and loads is not None else None
+    forces = forces_along_gravity(run, loads) if series is not None and loads is not None else None
     if not forces:
         return None
     weight = weight_of_grains(run)
@@ -132,6 +154,6 @@ def walls(run):
         axes.axhline(factor * weight, color="black", linewidth=0.8, linestyle="--", label="weight of all grains")
     axes.set_ylabel(f"force along gravity, {unit}")
     axes.legend(ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.2))
-    mark_phases(axes, series, run.deck)
+    mark_phases(axes, run)
     over_time(axes, series)
     return figure

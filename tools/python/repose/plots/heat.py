@@ -35,7 +35,7 @@ def heat(run):
         axes.plot(series["time_s"], np.where(inside, series[name], np.nan), style, color="C3", label=label)
     axes.set_ylabel("temperature, K")
     axes.legend()
-    mark_phases(axes, series, run.deck)
+    mark_phases(axes, run)
     if given:
         below = all_axes[1, 0]
         factor, unit = prefixed(max(np.abs(power).max() for power in given.values()), "W")

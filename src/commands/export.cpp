@@ -13,7 +13,7 @@ namespace repose {
 namespace {
 
 /// FileError when `path` is there and does not begin as `text` does: no earlier export in the same format.
-void refuse_other_file(const std::string& path, const std::string& text) {
+void refuse_no_export(const std::string& path, const std::string& text) {
   constexpr std::size_t beginning = 5;  // bytes: "<?xml", "ITEM:", ...
   if (!std::filesystem::is_regular_file(path)) return;
   if (read_whole_file(path).starts_with(text.substr(0, beginning))) return;
@@ -46,7 +46,7 @@ class Export : public Command {
       for (const ExportFormat& format : export_formats()) {
         if (format.name != format_) continue;
         const std::string exported = format.text(snapshot);
-        refuse_other_file(output_, exported);
+        refuse_no_export(output_, exported);
         write_text_file(output_, exported);
       }
       text = fmt::format("{} particles in {}\n", snapshot.particles.size(), output_);

@@ -31,12 +31,16 @@ void check(const Misfit& misfit, double confidence) {
   check_confidence(confidence);
 }
 
+/// What the slopes of the surfaces tell of the parameters (in units of the box): the inverse of their covariance.
+Matrix information_at(const Misfit& misfit, const Vector& point) {
+  const Matrix slopes = misfit.slopes(point);
+  return slopes.transpose() * misfit.look(point).covariance.ldlt().solve(slopes);
+}
+
 /// Covariance of the parameters (in units of the box) where the surfaces are as planes (C.16).
 Matrix linearised_covariance(const Misfit& misfit, const Vector& point) {
-  const Matrix slopes = misfit.slopes(point);
-  const Matrix information = slopes.transpose() * misfit.look(point).covariance.ldlt().solve(slopes);
   const Index d = misfit.parameters();
-  const Eigen::LLT<Matrix> factor(information);
+  const Eigen::LLT<Matrix> factor(information_at(misfit, point));
   const double infinity = std::numeric_limits<double>::infinity();
   if (factor.info() != Eigen::Success || factor.rcond() < 1e-14) return Matrix::Constant(d, d, infinity);
   return factor.solve(Matrix::Identity(d, d));
@@ -70,29 +74,26 @@ RegionPart in_units(const std::vector<ParameterRange>& ranges, const ConfidenceP
 
 /// Of the parameters' directions those in which the surfaces are level at a point, as columns.
 Matrix level_directions(const Misfit& misfit, const Vector& point) {
-  const Matrix slopes = misfit.slopes(point);
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(slopes.transpose() *
-                                                     misfit.look(point).covariance.ldlt().solve(slopes));
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(information_at(misfit, point));
   const double least = no_information * solver.eigenvalues().cwiseAbs().maxCoeff();
   const Index count = (solver.eigenvalues().array() <= least).count();
   return solver.eigenvectors().leftCols(count);
 }
 
 /// Whether the surfaces meet the laboratory at a point and not along a line or a plane.
-bool is_one_point(const Misfit& misfit, const Vector& point) {
-  return std::isfinite(linearised_covariance(misfit, point)(0, 0));
-}
+bool is_one_point(const CalibratedPoint& point) { return std::isfinite(point.covariance(0, 0)); }
 
 /// At the points where no standard error is finite: which parameters the observables do not tell there.
 std::string untold_text(const Misfit& misfit, const Estimate& e) {
   constexpr double share = 1e-6;  // of a direction
+  std::vector<Matrix> level;
+  for (const CalibratedPoint& point : e.points) {
+    if (!is_one_point(point)) level.push_back(level_directions(misfit, to_box(misfit.ranges(), point.values)));
+  }
   std::string names;
   for (std::size_t j = 0; j < misfit.ranges().size(); ++j) {
-    const auto is_untold = [&](const CalibratedPoint& point) {
-      const Vector at = to_box(misfit.ranges(), point.values);
-      return !is_one_point(misfit, at) && level_directions(misfit, at).row(static_cast<Index>(j)).squaredNorm() > share;
-    };
-    if (!std::any_of(e.points.begin(), e.points.end(), is_untold)) continue;
+    const auto is_untold = [&](const Matrix& ways) { return ways.row(static_cast<Index>(j)).squaredNorm() > share; };
+    if (std::none_of(level.begin(), level.end(), is_untold)) continue;
     names += (names.empty() ? "" : ", ") + misfit.ranges()[j].name;
   }
   return names.empty() ? "" : "; one point of many that fit: these observables do not tell " + names;
@@ -162,8 +163,9 @@ Estimate estimate(const Misfit& misfit, double confidence) {
     }
     // A lower point of the same part makes an inexact one no more than a dent.
     const bool first = std::none_of(e.points.begin(), e.points.end(), [&](const auto& p) { return p.part == index; });
-    const bool counts = low.squares <= exact || (!square && first);
-    if (counts && (first || is_one_point(misfit, low.point))) e.points.push_back(calibrated_point(misfit, low, index));
+    if (low.squares > exact && (square || !first)) continue;
+    CalibratedPoint point = calibrated_point(misfit, low, index);
+    if (first || is_one_point(point)) e.points.push_back(std::move(point));
   }
   for (const ConfidencePart& part : parts) e.parts.push_back(in_units(misfit.ranges(), part));
 

@@ -38,32 +38,39 @@ double log_slope_by_shares(double t, double z, double freedom) {
   return log_density_of_student(t, freedom) + 0.5 * (z * z + log_two_pi);
 }
 
-double by_shares(double t, double freedom) {
+double by_shares(double t, double freedom, double tail) {
   if (std::fabs(t) < nearly_none) return t * std::exp(log_slope_by_shares(0.0, 0.0, freedom));
-  return std::copysign(normal_quantile(student_cdf(-std::fabs(t), freedom)), t);
+  return std::copysign(normal_quantile(tail), t);
 }
 
-/// How much of the exact value is taken.
-double exact_share(double t, double freedom) {
-  if (freedom >= exact_up_to + 1.0 || !(student_cdf(-std::fabs(t), freedom) > least_share)) return 0.0;
-  return std::min(1.0, exact_up_to + 1.0 - freedom);
+/// The exact value and how much of it is taken.
+struct Exact {
+  double share = 0.0;
+  double z = 0.0;
+};
+
+Exact exact_at(double t, double freedom) {
+  if (freedom >= exact_up_to + 1.0) return {};
+  const double tail = student_cdf(-std::fabs(t), freedom);
+  if (!(tail > least_share)) return {};
+  return {std::min(1.0, exact_up_to + 1.0 - freedom), by_shares(t, freedom, tail)};
 }
 
 }  // namespace
 
 double normal_equivalent(double t, double freedom) {
   if (!differs(freedom)) return t;
-  const double exact = exact_share(t, freedom);
-  if (exact == 0.0) return by_wallace(t, freedom);
-  return exact * by_shares(t, freedom) + (1.0 - exact) * by_wallace(t, freedom);  // (C.14)
+  const auto [share, z] = exact_at(t, freedom);
+  if (share == 0.0) return by_wallace(t, freedom);
+  return share * z + (1.0 - share) * by_wallace(t, freedom);  // (C.14)
 }
 
 double log_slope_of_normal_equivalent(double t, double freedom) {
   if (!differs(freedom)) return 0.0;
-  const double exact = exact_share(t, freedom);
-  if (exact == 0.0) return log_slope_by_wallace(t, freedom);
-  const double slope = std::exp(log_slope_by_shares(t, by_shares(t, freedom), freedom));
-  return std::log(exact * slope + (1.0 - exact) * std::exp(log_slope_by_wallace(t, freedom)));
+  const auto [share, z] = exact_at(t, freedom);
+  if (share == 0.0) return log_slope_by_wallace(t, freedom);
+  const double slope = std::exp(log_slope_by_shares(t, z, freedom));
+  return std::log(share * slope + (1.0 - share) * std::exp(log_slope_by_wallace(t, freedom)));
 }
 
 }  // namespace repose

@@ -1,12 +1,10 @@
 #include <fmt/core.h>
 
-#include "base/error.h"
 #include "campaign/calibrate.h"
 #include "campaign/sensitivity.h"
 #include "campaign/validate.h"
 #include "commands/command.h"
 #include "deck/deck_kind.h"
-#include "deck/parse_toml.h"
 #include "deck/read_deck.h"
 #include "files/shared_file.h"
 #include "integration/time_step.h"
@@ -29,30 +27,6 @@ std::string limits_text(const Deck& deck, const TimeStep& dt) {
   return fmt::format("limits      {:.4g} s Rayleigh ({:.0f} %), {:.4g} s Hertz ({:.0f} %, at {:.3g} m/s)\n",
                      dt.rayleigh_limit, 100.0 * deck.time.rayleigh_fraction, dt.hertz_limit,
                      100.0 * deck.time.hertz_fraction, dt.speed);
-}
-
-struct ToolKey {
-  const char* key;  ///< at the top level of no deck of a run
-  const char* command;
-};
-constexpr ToolKey tool_keys[] = {{"particle_conductivity", "thermal bed"},
-                                 {"state", "thermal mixture"},
-                                 {"box", "thermal network"},
-                                 {"criteria", "thermal tps"},
-                                 {"sensor", "thermal tps"},
-                                 {"figure", "compare"},
-                                 {"scale", "photo"}};
-
-/// DeckError when it is the file of a tool, whose mistakes the tool finds before it measures.
-void require_no_tool_file(const std::string& text, const std::string& path) {
-  const toml::table root = parse_toml(text, path);
-  const auto refuse = [&](const char* command) {
-    throw DeckError(fmt::format("{}: no deck of a run, but a file for repose {}", path, command));
-  };
-  for (const ToolKey& tool : tool_keys) {
-    if (root.contains(tool.key)) refuse(tool.command);
-  }
-  if (root.at_path("material[0].room")) refuse("thermal sensor");
 }
 
 /// Steps as expensive as one with contacts: without mechanics those of heat alone cost something.
@@ -122,7 +96,6 @@ class Check : public Command {
       case DeckKind::validation:
         return check_validation(comm, request);
       case DeckKind::run:
-        require_no_tool_file(text, deck_);
         break;
     }
     return check_report(read_deck(text, deck_, overrides_), reader_beside(comm, deck_), comm.size());

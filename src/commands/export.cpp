@@ -1,4 +1,7 @@
+#include <array>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -14,9 +17,10 @@ namespace {
 
 /// FileError when `path` is there and does not begin as `text` does: no earlier export in the same format.
 void refuse_no_export(const std::string& path, const std::string& text) {
-  constexpr std::size_t beginning = 5;  // bytes: "<?xml", "ITEM:", ...
   if (!std::filesystem::is_regular_file(path)) return;
-  if (read_whole_file(path).starts_with(text.substr(0, beginning))) return;
+  std::array<char, 5> beginning = {};  // "<?xml", "ITEM:", ...
+  std::ifstream(path, std::ios::binary).read(beginning.data(), beginning.size());
+  if (text.starts_with(std::string_view(beginning.data(), beginning.size()))) return;
   throw FileError(path + ": is there already, and is no export in this format; name another file");
 }
 

@@ -6,19 +6,36 @@
 #include "deck/parse_toml.h"
 
 namespace repose {
+namespace {
 
-DeckKind kind_of_deck(const std::string& text, const std::string& path) {
-  const toml::table root = parse_toml(text, path);
+DeckKind kind_of(const toml::table& root) {
   if (root.contains("case")) return DeckKind::validation;
   if (!root.contains("parameter")) return DeckKind::run;
   return root.contains("figures") ? DeckKind::sensitivity : DeckKind::calibration;
 }
 
+struct ToolKey {
+  const char* key;  ///< at the top level of no deck of a run
+  const char* command;
+};
+constexpr ToolKey tool_keys[] = {{"particle_conductivity", "thermal bed"},
+                                 {"state", "thermal mixture"},
+                                 {"box", "thermal network"},
+                                 {"criteria", "thermal tps"},
+                                 {"sensor", "thermal tps"},
+                                 {"figure", "compare"},
+                                 {"scale", "photo"}};
+
+}  // namespace
+
+DeckKind kind_of_deck(const std::string& text, const std::string& path) { return kind_of(parse_toml(text, path)); }
+
 void require_run_deck(const std::string& text, const std::string& path) {
+  const toml::table root = parse_toml(text, path);
   const auto refuse = [&](const char* command) {
     throw DeckError(fmt::format("{}: no deck of a run, but a file for repose {}", path, command));
   };
-  switch (kind_of_deck(text, path)) {
+  switch (kind_of(root)) {
     case DeckKind::calibration:
       return refuse("calibrate");
     case DeckKind::sensitivity:
@@ -26,8 +43,12 @@ void require_run_deck(const std::string& text, const std::string& path) {
     case DeckKind::validation:
       return refuse("validate");
     case DeckKind::run:
-      return;
+      break;
   }
+  for (const ToolKey& tool : tool_keys) {
+    if (root.contains(tool.key)) refuse(tool.command);
+  }
+  if (root.at_path("material[0].room")) refuse("thermal sensor");
 }
 
 }  // namespace repose

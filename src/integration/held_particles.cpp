@@ -69,7 +69,7 @@ void HeldParticles::hold(Particles& particles) const {
 bool HeldParticles::is_any_outside(const DomainDeck& domain, const Particles& particles) const {
   return std::any_of(held_.begin(), held_.end(), [&](const Held& held) {
     const ParticleRecord& p = particles.record[held.index];
-    return !is_parked(p) && is_outside(domain, p.position);
+    return !blocks_[held.block].motions.empty() && !is_parked(p) && is_outside(domain, p.position);
   });
 }
 

@@ -41,7 +41,7 @@ TEST(TimeStepGuard, BeyondTwiceTheFractionItStops) {
   expect_parts(message, {"step 0: particle 0 at (0, 0, 0)", "3.3 m/s", "time.expected_speed"});  // 33^(1/5) = 2.01
 }
 
-// A grain that gathers speed on its way: the criteria are looked at again at the rebuilds.
+// A grain that gathers speed on its way: warned of at a rebuild, an error in the step that is too fast.
 TEST(TimeStepGuard, GatheringSpeedIsNoticed) {
   Deck deck = at_hertz_limit(0.1);
   deck.gravity = {0.0, 0.0, -100.0};

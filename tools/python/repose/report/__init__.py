@@ -25,7 +25,11 @@ def html_of(directory):
 
 def refuse_other_file(path):
     """A file that is there and is no HTML is somebody's: it is not replaced."""
-    if path.is_file() and not path.read_bytes()[:15].lower() == b"<!doctype html>":
+    if not path.is_file():
+        return
+    with path.open("rb") as file:
+        begins = file.read(15).lower()
+    if begins != b"<!doctype html>":
         raise ReposeError(f"{path}: is there already, and is no report; name another file")
 
 

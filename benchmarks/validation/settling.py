@@ -6,16 +6,19 @@ from bench import Bench, identities, input_deck, print_table, rayleigh_share, re
 
 SHARES = (0.2, 0.3, 0.4)
 CARBOHSP = ["pair.0.sliding_friction=0.75", "pair.0.rolling_friction=0.1625"]
-CASES = {"carbohsp": ("carbohsp_mono.toml", CARBOHSP, None),  # deck, overrides, and the calibration whose lower level it is
-         "carbohsp_less": ("carbohsp_mono.toml", CARBOHSP, "calibrate_carbohsp_levels.toml"),
+CASES = {"carbohsp": ("carbohsp_mono.toml", CARBOHSP, None),  # deck, overrides, and the calibration with its level
+         "carbohsp_less": ("carbohsp_mono.toml", CARBOHSP, ("calibrate_carbohsp_levels.toml", "less")),
+         "carbohsp_whole": ("carbohsp_mono.toml", CARBOHSP, ("calibrate_carbohsp_restitution_levels.toml", "whole")),
          "sand": ("sand_multi.toml", [], None),
-         "sand_less": ("sand_multi.toml", [], "calibrate_sand_levels.toml")}
+         "sand_less": ("sand_multi.toml", [], ("calibrate_sand_levels.toml", "less")),
+         "sand_whole": ("sand_multi.toml", [], ("calibrate_sand_levels.toml", "whole"))}
 AFTER = 0.2  # s
 
 
-def lower_level(calibration):
-    """What the lower level of a calibration has otherwise than the test itself, but for its time step."""
-    return [key for key in input_deck(calibration)["level"][0]["set"] if not key.startswith("time.")]
+def level_of(calibration, name):
+    """What a level of a calibration has otherwise than the test itself, but for its time step."""
+    level = next(level for level in input_deck(calibration)["level"] if level["name"] == name)
+    return [key for key in level["set"] if not key.startswith("time.")]
 
 
 def study(options):
@@ -28,8 +31,8 @@ def study(options):
     runs = {}
     for name, (case, share) in zip(names, cases):
         deck, own, calibration = CASES[case]
-        less = lower_level(calibration) if calibration else []
-        runs[name] = (deck, [*still, *own, *less, *rayleigh_share(share)])
+        level = level_of(*calibration) if calibration else []
+        runs[name] = (deck, [*still, *own, *level, *rayleigh_share(share)])
     summaries = Bench(options).run_all(runs)
     rows = []
     for name, (case, share) in zip(names, cases):

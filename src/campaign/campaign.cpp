@@ -16,6 +16,7 @@
 #include "campaign/rank_groups.h"
 #include "comm/abort_job.h"
 #include "comm/agreement.h"
+#include "deck/overrides.h"
 #include "deck/read_deck.h"
 #include "deck/resolved_deck.h"
 #include "files/directory.h"
@@ -190,12 +191,22 @@ PartsWork work_on(const Communicator& world, const CampaignPlan& plan, std::span
   return work;
 }
 
+/// The deck of a run; what is refused of the study's own keys is told with the line of the study.
+Deck checked_deck(const CampaignPlan& plan, const std::string& text, const StudyRun& run) {
+  try {
+    return read_deck(text, plan.bases[plan.base_of(run)], run.overrides);
+  } catch (const DeckError& error) {
+    throw DeckError(told_of_file(error.what(), plan.deck, plan.deck_text));
+  }
+}
+
 }  // namespace
 
 CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, const std::string& deck_text,
                      const RunRequest& request) {
   CampaignPlan plan;
   plan.study = study;
+  plan.deck = request.deck;
   plan.deck_text = deck_text;
   plan.figures = std::move(figures);
   plan.directory = request.output;
@@ -226,7 +237,7 @@ void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
   std::vector<char> has_figures(plan.bases.size(), 0);
   for (const StudyRun& run : runs) {
     const std::size_t base = plan.base_of(run);
-    const Deck deck = read_deck(texts[base], plan.bases[base], run.overrides);
+    const Deck deck = checked_deck(plan, texts[base], run);
     if (has_figures[base] == 0) {
       has_figures[base] = 1;
       for (const RunFigure& figure : plan.figures) {

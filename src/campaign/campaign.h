@@ -19,7 +19,8 @@ namespace repose {
 /// What many runs of one deck have in common, and where they go.
 struct CampaignPlan {
   StudyDeck study;
-  std::string deck_text;                 ///< of the study, for the table
+  std::string deck;                      ///< path of the study
+  std::string deck_text;                 ///< for the table
   std::vector<std::string> bases;        ///< paths of the base decks, for each experiment one per level
   std::vector<std::string> levels;       ///< their names; empty: there is one, without a name
   std::vector<std::string> experiments;  ///< likewise

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 #include <span>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/trimmed.h"
@@ -139,6 +140,20 @@ Overridden apply_overrides(toml::table& root, const std::vector<std::string>& ov
   Overridden overridden;
   for (const std::string& set_text : overrides) apply(root, set_text, overridden);
   return overridden;
+}
+
+std::string told_of_file(const std::string& message, const std::string& path, const std::string& text) {
+  constexpr std::string_view option = "--set ";
+  const std::size_t end = message.find('=');
+  if (message.rfind(option, 0) != 0 || end == std::string::npos) return message;
+  const std::string key = message.substr(option.size(), end - option.size());
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (line.rfind('#', 0) == 0 || line.find(key) == std::string::npos) continue;
+    return fmt::format("{}:{}: {}", path, number, message.substr(option.size()));
+  }
+  return message;
 }
 
 }  // namespace repose

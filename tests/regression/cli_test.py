@@ -45,6 +45,13 @@ class CommandLine(FolderTest):
             self.fails(2, rf'study.toml:\d+:1: "{key.split()[0]}" of \[\[parameter\]\] is only allowed with a calibration', "check",
                        str(path))
 
+    def test_a_wrong_key_of_a_study_is_told_with_its_line(self):
+        text = pathlib.Path(self.program.deck("calibrate_quick.toml")).read_text().replace("discharge_quick.toml", self.quick)
+        line = text[:text.index('key = "pair.0.rolling_friction"')].count("\n") + 1
+        path = self.path("study.toml")
+        pathlib.Path(path).write_text(text.replace("pair.0.rolling_friction", "pair.0.rolling_frictoin"))
+        self.fails(2, rf'study.toml:{line}: pair.0.rolling_frictoin=0.1: unknown key "rolling_frictoin"', "check", path)
+
     def test_keys_of_a_command_that_has_none(self):
         for command in ("info", "check", "fields", "thermal"):
             self.fails(2, rf'no keys of "{command}", but of calibrate, compare, photo, run, .*thermal bed, .*validate$', "keys", command)

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "deck/overrides.h"
 #include "deck/read_deck.h"
 #include "deck_example.h"
 
@@ -434,6 +435,15 @@ TEST(DeckErrors, ManyDotsElsewhereAreNoKey) {
 TEST(DeckErrors, AnOverrideIsUtf8) {
   EXPECT_EQ(message_of(example_deck, {"run.title=Grie\xC3\x9F"}), "no error");
   EXPECT_EQ(message_of(example_deck, {"run.title=Grie\xDF"}), "--set run.title=Grie\xDF: write it in UTF-8");
+}
+
+TEST(DeckErrors, AnOverrideOfAStudyHasTheLineOfTheStudy) {
+  const std::string study = "# pair.0.friktion\n[[parameter]]\nkey = \"pair.0.friktion\"\n";
+  EXPECT_EQ(told_of_file("--set pair.0.friktion=0.2: unknown key", "study.toml", study),
+            "study.toml:3: pair.0.friktion=0.2: unknown key");
+  for (const std::string message : {"--set time.step=0: out of range", "deck.toml:3: pair.0.friktion=0.2"}) {
+    EXPECT_EQ(told_of_file(message, "study.toml", study), message);
+  }
 }
 
 TEST(DeckErrors, AnOverrideThatOpensASectionOwesItsKeys) {

@@ -1,4 +1,5 @@
 // Prescribed motions: where they bring a body, how fast its points move, and walls on the way.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -87,12 +88,42 @@ TEST(Motions, AdvanceInTheirPhasesOnly) {
   EXPECT_DOUBLE_EQ(motions.placement(dt).shift.x, 10 * dt);
 }
 
+/// The greatest speed of the domain's corners at any of many times.
+double greatest_seen(const std::vector<MotionDeck>& deck, const DomainDeck& domain) {
+  double speed = 0.0;
+  Motions motions(deck);
+  motions.begin_phase("any");
+  for (int k = 0; k < 4000; ++k) {
+    for (int j = 0; j < 10; ++j) motions.step();
+    const SurfaceMotion now = motions.placement(dt).motion;
+    for (int corner = 0; corner < 8; ++corner) {
+      speed = std::max(speed, norm(now.at({(corner & 1) != 0 ? domain.max.x : domain.min.x,
+                                           (corner & 2) != 0 ? domain.max.y : domain.min.y,
+                                           (corner & 4) != 0 ? domain.max.z : domain.min.z})));
+    }
+  }
+  return speed;
+}
+
 TEST(Motions, NoPointOfTheDomainIsFasterThanTheBound) {
-  const std::vector<MotionDeck> deck = {rotation({0.1, 0.0, 0.0}, {0.0, 1.0, 0.0}, 4.0), translation({0.0, 0.3, 0.0}),
-                                        oscillation({0.01, 0.0, 0.0}, 10.0)};
   const DomainDeck domain = {{-1.0, -2.0, -3.0}, {2.0, 1.0, 1.0}};
-  const double bound = greatest_speed(deck, domain);
-  EXPECT_NEAR(bound, 4.0 * std::hypot(1.9, 3.0) + 0.3 + 0.2 * pi, 1e-12);
+  const MotionDeck turn = rotation({0.1, 0.0, 0.0}, {0.0, 1.0, 0.0}, 4.0);
+  const MotionDeck shake = oscillation({0.01, 0.0, 0.0}, 10.0);
+  // A translation along the axis leaves it where it is, an oscillation across moves it by its amplitude.
+  EXPECT_NEAR(greatest_speed({turn, translation({0.0, 0.3, 0.0}), shake}, domain),
+              4.0 * (std::hypot(1.9, 3.0) + 0.01) + 0.3 + 0.2 * pi, 1e-12);
+  EXPECT_NEAR(greatest_speed({turn, turn}, domain), 8.0 * std::hypot(1.9, 3.0), 1e-12);
+  EXPECT_LE(greatest_seen({turn, shake}, domain), greatest_speed({turn, shake}, domain));
+  // An axis that others carry around comes nearer to some points and farther from others.
+  for (const MotionDeck& other : {rotation({1.5, 0.0, 0.5}, {0.0, 1.0, 0.0}, 5.0), rotation({}, {1.0, 0.0, 0.0}, 3.0),
+                                  rotation({0.0, 1.0, -2.0}, {1.0, 0.5, -1.0}, -3.0)}) {
+    const double bound = greatest_speed({turn, other}, domain);
+    EXPECT_LE(greatest_seen({turn, other}, domain), bound);
+    EXPECT_GT(bound, greatest_speed({turn}, domain) + greatest_speed({other}, domain));
+    for (const MotionDeck& third : {turn, shake, rotation({-1.0, -2.0, 1.0}, {0.0, 0.0, 1.0}, 2.0)}) {
+      EXPECT_LE(greatest_seen({turn, other, third}, domain), greatest_speed({turn, other, third}, domain));
+    }
+  }
 }
 
 WallDeck rectangle() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "scene/walls/unit_vector.h"
 
@@ -37,6 +38,68 @@ Placement placement_of(const MotionDeck& motion, double time, bool runs) {
     }
   }
   return placement;
+}
+
+std::array<Vec3, 8> corners(const DomainDeck& domain) {
+  std::array<Vec3, 8> all;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k] = {(k & 1) != 0 ? domain.max.x : domain.min.x, (k & 2) != 0 ? domain.max.y : domain.min.y,
+              (k & 4) != 0 ? domain.max.z : domain.min.z};
+  }
+  return all;
+}
+
+/// Of a point from the axis of a rotation.
+double distance(const MotionDeck& rotation, const Vec3& x) {
+  return norm(cross(unit_vector(rotation.axis_direction), x - rotation.axis_origin));
+}
+
+bool are_coaxial(const MotionDeck& a, const MotionDeck& b) {
+  return distance(a, b.axis_origin) == 0.0 &&
+         norm(cross(unit_vector(a.axis_direction), unit_vector(b.axis_direction))) == 0.0;
+}
+
+/// How far a point of the domain can be from the axis of a rotation that later motions carry along, without turning it.
+double lever_of_shifted_axis(const MotionDeck& rotation, std::span<const MotionDeck> later, const DomainDeck& domain) {
+  const Vec3 axis = unit_vector(rotation.axis_direction);
+  double lever = 0.0;
+  double moved = 0.0;
+  for (const Vec3& x : corners(domain)) lever = std::max(lever, distance(rotation, x));
+  for (const MotionDeck& m : later) {
+    if (m.type == MotionType::oscillation) moved += norm(cross(axis, m.amplitude));
+    if (m.type == MotionType::translation && norm(cross(axis, m.velocity)) > 0.0) {
+      lever = std::max(lever, norm(cross(axis, domain.max - domain.min)));  // of an axis that stays in the domain
+    }
+  }
+  return lever + moved;
+}
+
+/// The same when other rotations carry it along. Each leaves a point as far from its origin as it was.
+double lever_of_turned_axis(const MotionDeck& rotation, std::span<const MotionDeck> later, const DomainDeck& domain) {
+  const MotionDeck* outer = nullptr;
+  double lever = 0.0;
+  double moved = 0.0;
+  for (std::size_t k = later.size(); k-- > 0;) {
+    const MotionDeck& m = later[k];
+    if (m.type == MotionType::oscillation) moved += norm(m.amplitude);
+    if (m.type == MotionType::translation) lever = std::max(lever, norm(domain.max - domain.min));
+    if (m.type != MotionType::rotation) continue;
+    if (outer != nullptr) {
+      moved += norm(m.axis_origin - outer->axis_origin);
+    } else {
+      for (const Vec3& x : corners(domain)) lever = std::max(lever, norm(x - m.axis_origin));
+    }
+    outer = &m;
+  }
+  return lever + moved + distance(rotation, outer->axis_origin);
+}
+
+double greatest_lever(const MotionDeck& rotation, std::span<const MotionDeck> later, const DomainDeck& domain) {
+  const bool keeps_its_direction = std::all_of(later.begin(), later.end(), [&](const MotionDeck& m) {
+    return m.type != MotionType::rotation || are_coaxial(rotation, m);
+  });
+  return keeps_its_direction ? lever_of_shifted_axis(rotation, later, domain)
+                             : lever_of_turned_axis(rotation, later, domain);
 }
 
 }  // namespace
@@ -96,7 +159,8 @@ Placement Motions::placement(double dt) const {
 
 double greatest_speed(const std::vector<MotionDeck>& motions, const DomainDeck& domain) {
   double speed = 0.0;
-  for (const MotionDeck& m : motions) {
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const MotionDeck& m = motions[k];
     switch (m.type) {
       case MotionType::translation:
       case MotionType::conveyor:
@@ -105,17 +169,9 @@ double greatest_speed(const std::vector<MotionDeck>& motions, const DomainDeck& 
       case MotionType::oscillation:
         speed += 2.0 * pi * m.frequency * norm(m.amplitude);
         break;
-      case MotionType::rotation: {
-        double farthest = 0.0;
-        for (int corner = 0; corner < 8; ++corner) {
-          const Vec3 x = {(corner & 1) != 0 ? domain.max.x : domain.min.x,
-                          (corner & 2) != 0 ? domain.max.y : domain.min.y,
-                          (corner & 4) != 0 ? domain.max.z : domain.min.z};
-          farthest = std::max(farthest, norm(cross(unit_vector(m.axis_direction), x - m.axis_origin)));
-        }
-        speed += std::fabs(m.angular_velocity) * farthest;
+      case MotionType::rotation:
+        speed += std::fabs(m.angular_velocity) * greatest_lever(m, std::span(motions).subspan(k + 1), domain);
         break;
-      }
     }
   }
   return speed;

@@ -23,7 +23,8 @@ void check_grains(const GrainList& list) {
 bool accepts(std::string_view input) {
   const std::string text(input);
   const ReadFile read_file = [&](const std::string&) { return text; };
-  Translation to(read_file);
+  const std::string no_dump;
+  Translation to(read_file, no_dump);
   bool accepted = is_done([&] {
     constexpr std::size_t most_commands = 1000;  // those that only jump count too
     read_script(

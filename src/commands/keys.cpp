@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "commands/command.h"
 #include "deck/calibration_deck.h"
+#include "deck/nearest.h"
 #include "deck/resolved_deck.h"
 #include "deck/sensitivity_deck.h"
 #include "deck/validation_deck.h"
@@ -36,6 +37,9 @@ std::string keys_of(const std::string& command) {
   if (const auto found = files.find(command); found != files.end()) return found->second();
   std::vector<std::string> names;
   for (const auto& [name, keys] : files) names.push_back(name);
+  if (const std::string near = nearest(command, names); edit_distance(command, near) <= 2) {
+    throw DeckError(fmt::format("there are no keys of \"{}\"; did you mean {}?", command, near));
+  }
   throw DeckError(fmt::format("there are no keys of \"{}\", but of {}", command, fmt::join(names, ", ")));
 }
 

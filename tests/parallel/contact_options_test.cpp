@@ -3,24 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "deck/read_deck.h"
-#include "files/shared_file.h"
 #include "simulation/simulation.h"
 #include "simulation_counts.h"
+#include "support/small_discharge.h"
 
 namespace repose::test {
 namespace {
 
-Deck small_bed() {
-  Communicator world(MPI_COMM_WORLD);
-  const std::string path = std::string(REPOSE_SOURCE_DIR) + "/input/discharge_quick.toml";
-  const Deck deck = read_deck(
-      read_shared_file(world, path), path,
-      {"particles.0.mass=0.06 g", "particles.0.height=10 mm", "domain.min=[-0.004, -0.004, -0.003]", "time.step=4e-6",
-       "wall.plate.present=false", "wall.vessel.points=[[0.002,0.04],[0.002,0],[0.00125,0]]", "wall.lid.radius=0.00125",
-       "particles.0.radius=0.002", "particles.0.spacing=0.0006"});
-  return deck;
-}
+Deck small_bed() { return small_discharge({"time.step=4e-6"}); }
 
 std::vector<std::string> hashes(const Communicator& comm, const Deck& deck, VectorLevel level = best_vector_level()) {
   Simulation simulation(comm, deck, {}, level);

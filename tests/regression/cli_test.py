@@ -50,7 +50,7 @@ class CommandLine(FolderTest):
         line = text[:text.index('key = "pair.0.rolling_friction"')].count("\n") + 1
         path = self.path("study.toml")
         pathlib.Path(path).write_text(text.replace("pair.0.rolling_friction", "pair.0.rolling_frictoin"))
-        self.fails(2, rf'study.toml:{line}: pair.0.rolling_frictoin=0.1: unknown key "rolling_frictoin"', "check", path)
+        self.fails(2, rf'study.toml:{line}: pair.0.rolling_frictoin=0.05: unknown key "rolling_frictoin"', "check", path)
 
     def test_keys_of_a_command_that_has_none(self):
         for command in ("info", "check", "fields", "thermal"):

@@ -36,11 +36,18 @@ std::string keys_of(const std::string& command) {
                                                                             {"thermal tps", thermal::tps_keys}};
   if (const auto found = files.find(command); found != files.end()) return found->second();
   std::vector<std::string> names;
-  for (const auto& [name, keys] : files) names.push_back(name);
-  if (const std::string near = nearest(command, names); edit_distance(command, near) <= 2) {
-    throw DeckError(fmt::format("there are no keys of \"{}\"; did you mean {}?", command, near));
+  std::vector<std::string> tools;  // of this command
+  for (const auto& [name, keys] : files) {
+    names.push_back(name);
+    if (name.rfind(command + ' ', 0) == 0) tools.push_back(name);
   }
-  throw DeckError(fmt::format("there are no keys of \"{}\", but of {}", command, fmt::join(names, ", ")));
+  if (const std::string near = nearest(command, names); tools.empty() && edit_distance(command, near) <= 2) {
+    tools.push_back(near);
+  }
+  if (tools.empty()) {
+    throw DeckError(fmt::format("there are no keys of \"{}\", but of {}", command, fmt::join(names, ", ")));
+  }
+  throw DeckError(fmt::format("there are no keys of \"{}\"; did you mean {}?", command, fmt::join(tools, ", ")));
 }
 
 class Keys : public Command {

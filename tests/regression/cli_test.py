@@ -53,7 +53,7 @@ class CommandLine(FolderTest):
         self.fails(2, rf'study.toml:{line}: pair.0.rolling_frictoin=0.05: unknown key "rolling_frictoin"', "check", path)
 
     def test_keys_of_a_command_that_has_none(self):
-        for command in ("info", "check", "fields", "thermal"):
+        for command in ("info", "check", "fields"):
             self.fails(2, rf'no keys of "{command}", but of calibrate, compare, photo, run, .*thermal bed, .*validate$', "keys", command)
 
     def test_check_names_the_tool_of_a_file(self):

@@ -45,4 +45,4 @@ def study(options):
                      "rotation, J/grain": series["rotational_energy_J"][settled] / grains,
                      "bulk density, kg/m3": summaries[name]["bulk_density_kg_m3"]})
     print_table(rows, digits=4)
-    save(options.results / "settling.json", runs=identities(summaries), rows=rows)
+    save(options.results / ("_".join(["settling", *(options.cases or ())]) + ".json"), runs=identities(summaries), rows=rows)

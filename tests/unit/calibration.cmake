@@ -4,7 +4,9 @@ repose_test(unit_calibration LABEL unit
           calibration_sensitivity_test.cpp calibration_level_process_test.cpp calibration_curve_test.cpp
   LINK repose_calibration)
 # Many estimates each: not part of unit_calibration, which is also run under the sanitizers.
-repose_test(calibration_estimate LABEL analytic SOURCES calibration_estimate_test.cpp LINK repose_calibration)
+repose_test(calibration_estimate LABEL analytic
+  SOURCES calibration_estimate_test.cpp calibration_thin_region_test.cpp
+  LINK repose_calibration)
 repose_test(calibration_coverage LABEL analytic
   SOURCES calibration_coverage_test.cpp calibration_adaptive_test.cpp
   LINK repose_calibration)

@@ -84,18 +84,6 @@ TEST(ConfidencePart, LeavesOutWhatIsNotConnected) {
   EXPECT_FALSE(part.contains(vector_of({0.7, 0.5})));
 }
 
-// A parabola much thinner than a cell is one part, from wherever it is looked at.
-TEST(ConfidencePart, OfAThinBandIsOneWhicheverItsSeed) {
-  const Residuals band = [](const Vector& x) -> Vector {
-    return vector_of({(x[1] - 0.2 - 2.5 * (x[0] - 0.5) * (x[0] - 0.5)) / 2e-4, 0.0});
-  };
-  const Vector left = vector_of({0.23, 0.2 + 2.5 * 0.27 * 0.27});
-  const Vector right = vector_of({0.71, 0.2 + 2.5 * 0.21 * 0.21});
-  const ConfidencePart part = part_about(band, left, 1.0, 61);
-  EXPECT_TRUE(leads_to(band, part, right, 1.0));
-  EXPECT_TRUE(have_same_extent(part, part_about(band, right, 1.0, 61)));
-}
-
 // Two bands, of which the one reaches over the whole box.
 TEST(ConfidencePart, DoesNotLeadOverAGap) {
   const Residuals two = [](const Vector& x) -> Vector {

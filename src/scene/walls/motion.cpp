@@ -59,47 +59,26 @@ bool are_coaxial(const MotionDeck& a, const MotionDeck& b) {
          norm(cross(unit_vector(a.axis_direction), unit_vector(b.axis_direction))) == 0.0;
 }
 
-/// How far a point of the domain can be from the axis of a rotation that later motions carry along, without turning it.
-double lever_of_shifted_axis(const MotionDeck& rotation, std::span<const MotionDeck> later, const DomainDeck& domain) {
-  const Vec3 axis = unit_vector(rotation.axis_direction);
-  double lever = 0.0;
-  double moved = 0.0;
-  for (const Vec3& x : corners(domain)) lever = std::max(lever, distance(rotation, x));
-  for (const MotionDeck& m : later) {
-    if (m.type == MotionType::oscillation) moved += norm(cross(axis, m.amplitude));
-    if (m.type == MotionType::translation && norm(cross(axis, m.velocity)) > 0.0) {
-      lever = std::max(lever, norm(cross(axis, domain.max - domain.min)));  // of an axis that stays in the domain
-    }
-  }
-  return lever + moved;
-}
-
-/// The same when other rotations carry it along. Each leaves a point as far from its origin as it was.
-double lever_of_turned_axis(const MotionDeck& rotation, std::span<const MotionDeck> later, const DomainDeck& domain) {
-  const MotionDeck* outer = nullptr;
-  double lever = 0.0;
-  double moved = 0.0;
-  for (std::size_t k = later.size(); k-- > 0;) {
-    const MotionDeck& m = later[k];
-    if (m.type == MotionType::oscillation) moved += norm(m.amplitude);
-    if (m.type == MotionType::translation) lever = std::max(lever, norm(domain.max - domain.min));
-    if (m.type != MotionType::rotation) continue;
-    if (outer != nullptr) {
-      moved += norm(m.axis_origin - outer->axis_origin);
-    } else {
-      for (const Vec3& x : corners(domain)) lever = std::max(lever, norm(x - m.axis_origin));
-    }
-    outer = &m;
-  }
-  return lever + moved + distance(rotation, outer->axis_origin);
-}
-
+/// How far a point of the domain can be from the axis of a rotation that later motions carry along. Another rotation
+/// leaves a point as far from its origin as it was; under a translation the axis is taken to stay in the domain.
 double greatest_lever(const MotionDeck& rotation, std::span<const MotionDeck> later, const DomainDeck& domain) {
-  const bool keeps_its_direction = std::all_of(later.begin(), later.end(), [&](const MotionDeck& m) {
-    return m.type != MotionType::rotation || are_coaxial(rotation, m);
+  const Vec3 axis = unit_vector(rotation.axis_direction);
+  const bool is_turned = std::any_of(later.begin(), later.end(), [&](const MotionDeck& m) {
+    return m.type == MotionType::rotation && !are_coaxial(rotation, m);
   });
-  return keeps_its_direction ? lever_of_shifted_axis(rotation, later, domain)
-                             : lever_of_turned_axis(rotation, later, domain);
+  const auto across = [&](const Vec3& v) { return is_turned ? norm(v) : norm(cross(axis, v)); };
+  const MotionDeck* pivot = &rotation;
+  double lever = 0.0;
+  double moved = 0.0;
+  for (const MotionDeck& m : later) {
+    if (m.type == MotionType::oscillation) moved += across(m.amplitude);
+    if (m.type == MotionType::translation && across(m.velocity) > 0.0) lever = across(domain.max - domain.min);
+    if (m.type != MotionType::rotation) continue;
+    moved += pivot == &rotation ? distance(rotation, m.axis_origin) : across(m.axis_origin - pivot->axis_origin);
+    pivot = &m;
+  }
+  for (const Vec3& x : corners(domain)) lever = std::max(lever, across(x - pivot->axis_origin));
+  return lever + moved;
 }
 
 }  // namespace

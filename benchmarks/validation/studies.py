@@ -25,20 +25,35 @@ from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, STOPPED, Bench, fi
 MATERIALS = ("material.0", "material.1")
 
 
+def modulus_of(value):
+    """The overrides that give grains and walls this Young's modulus."""
+    return [f"{material}.youngs_modulus={value}" for material in MATERIALS]
+
+
+# Grains and walls a fifth as stiff as the thesis's, with one and a half times its share of the Rayleigh time: 3.4 times its step
+SOFTER = [*modulus_of("1 MPa"), *rayleigh_share(0.3), "guards.max_overlap=0.5"]  # of a small grain below a large one on the plate
+# Cases of `full`: that of input/validation.toml, and overrides. Without overrides they are the thesis's
+FULL = {"carbohsp_mono": ("carbohsp_mono", []), "carbohsp_multi": ("carbohsp_multi", []), "sand_multi": ("sand_multi", []),
+        "carbohsp_multi_softer": ("carbohsp_multi", SOFTER)}
+
+
 def full(options):
-    """Cases of input/validation.toml at full size, one after the other on all ranks."""
-    output = options.work / "validation"
-    for case in options.cases or ["carbohsp_mono", "carbohsp_multi", "sand_multi"]:
+    """Cases of input/validation.toml at full size, one after the other on all ranks; by default as they are there."""
+    for name in options.cases or [name for name, (_, sets) in FULL.items() if not sets]:
+        case, sets = FULL[name]
+        output = options.work / (name if sets else "validation")
+        overrides = [word for override in sets for word in ("--set", override)]
         command = ["mpirun", "-n", str(options.ranks), options.program, "validate", str(ROOT / "input" / "validation.toml"),
-                   "--case", case, "--output", str(output), *time_limit(options)]
+                   "--case", case, "--output", str(output), *overrides, *time_limit(options)]
         code = subprocess.run(command, stdin=subprocess.DEVNULL).returncode
         if code != 0:
-            raise SystemExit(f"{case} ended with exit code {code}" + (": the same command goes on" if code == STOPPED else ""))
+            raise SystemExit(f"{name} ended with exit code {code}" + (": the same command goes on" if code == STOPPED else ""))
         found = repose.Validation(output)
         run = found.runs[case]
         places = sizes_by_place(run)
         print_table(places, digits=4)
-        save(options.results / f"{case}.json", case=case, comparisons=found.cases[case], places=places, summary=run.summary)
+        save(options.results / f"{name}.json", case=case, set=sets, comparisons=found.cases[case], places=places,
+             summary=run.summary)
 
 
 def sizes_by_place(run):
@@ -66,8 +81,7 @@ def stiffness(options):
     runs, names = {}, []
     for modulus, share in STEPS:
         names.append(f"stiffness_{modulus}_{share:g}")
-        sets = [*(f"{material}.youngs_modulus={modulus}" for material in MATERIALS), *rayleigh_share(share),
-                "phase.discharge.max_time=3 s"]
+        sets = [*modulus_of(modulus), *rayleigh_share(share), "phase.discharge.max_time=3 s"]
         runs |= with_seeds(names[-1], "discharge_quick.toml", sets, options.seeds)
     summaries = Bench(options).run_all(runs)
     rows = [{"E, Pa": modulus, "of the Rayleigh time": share, "time step, us": 1e6 * summaries[f"{name}_1"]["timestep_s"],
@@ -111,12 +125,14 @@ def funnel(options):
     write(options, "funnel", summaries, rows)
 
 
-# Cases of `sizes`: name of its results, radius of the vessel in mm, overrides, spacing of one size over its diameter, figures
+# Cases of `sizes`: name of its results, radius of the vessel in mm, overrides, spacing of one size over its diameter (None: the
+# distribution alone), figures
 SIZES = {"calibrated": ("sizes", 6.0, contours.SMALL, 1.75, DISCHARGE),
          "little": ("sizes_little_friction", 6.0, [*contours.SMALL, "pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.1"], 1.75,
                     DISCHARGE),
          "full_vessel": ("sizes_full_vessel", 11.11, ["particles.0.mass=7.5 g", *rayleigh_share(0.3)], 1.25,
-                         (*DISCHARGE, "bulk_density_kg_m3"))}
+                         (*DISCHARGE, "bulk_density_kg_m3")),
+         "softer": ("sizes_softer", 11.11, ["particles.0.mass=7.5 g", *SOFTER], None, (*DISCHARGE, "bulk_density_kg_m3"))}
 
 
 def rim_of(options, name, radius):
@@ -136,7 +152,8 @@ def sizes(options):
     for case in options.cases or SIZES:
         study, radius, sets, spacing, chosen = SIZES[case]
         decks = {f"one_{diameter}": ("carbohsp_mono.toml", [*sets, f"particles.0.spacing={spacing * diameter:g} um",
-                                                            f"particles.0.diameter={diameter} um"]) for diameter in (440, 368)}
+                                                            f"particles.0.diameter={diameter} um"])
+                 for diameter in (440, 368) if spacing}
         decks["many"] = ("carbohsp_multi.toml", sets)
         runs = {}
         for name, (deck, own) in decks.items():

@@ -30,7 +30,7 @@ def modulus_of(value):
     return [f"{material}.youngs_modulus={value}" for material in MATERIALS]
 
 
-# Grains and walls a fifth as stiff as the thesis's, with one and a half times its share of the Rayleigh time: 3.4 times its step
+# Grains and walls a fifth as stiff as the thesis's, with one and a half times its share of the Rayleigh time: nearly three times its step
 SOFTER = [*modulus_of("1 MPa"), *rayleigh_share(0.3), "guards.max_overlap=0.5"]  # of a small grain below a large one on the plate
 # Cases of `full`: that of input/validation.toml, and overrides. Without overrides they are the thesis's
 FULL = {"carbohsp_mono": ("carbohsp_mono", []), "carbohsp_multi": ("carbohsp_multi", []), "sand_multi": ("sand_multi", []),

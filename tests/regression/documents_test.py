@@ -24,6 +24,7 @@ SHORT = ("phase.settle.max_time=2 ms", "phase.settle.min_time=1 ms", "phase.disc
 LIFTED = ("phase.settle.min_time=0", "phase.settle.max_time=2 ms", "phase.lift.time=2 ms", "phase.rest.min_time=0", "phase.rest.max_time=2 ms")
 # Overrides for commands that read a file of this name.
 REDUCED = {
+    "carbohsp_mono.toml": ("particles.0.mass=0.05 g", *SHORT),
     "discharge_quick.toml": ("particles.0.mass=0.05 g", *SHORT),
     "draw_down.toml": ("phase.settle.min_time=0", "phase.settle.max_time=2 ms", "phase.draw_down.min_time=0",
                        "phase.draw_down.max_time=2 ms"),

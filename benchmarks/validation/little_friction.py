@@ -6,22 +6,28 @@ import subprocess
 from bench import ROOT, STOPPED, print_table, rayleigh_share, repose, save, time_limit
 
 DECK = ROOT / "input" / "carbohsp_mono.toml"
-SETS = ["pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.5",
-        *rayleigh_share(0.3)]  # with more a full bed does not rest: studies.py settling
+CORNER = ["pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.5"]
+# Name of the results and share of the Rayleigh time; with 0.4 a full bed does not rest (studies.py settling)
+CASES = {"little_friction": 0.4, "little_friction_shorter_step": 0.3}
 
 
-def measured(options, snapshot):
+def measured(options, name, snapshot):
     """The figures of a snapshot of the pile while it grows."""
-    output = options.work / "little_friction" / "measured" / snapshot.stem
+    output = options.work / name / "measured" / snapshot.stem
     subprocess.run([options.program, "measure", snapshot, "--deck", DECK, "--output", output], check=True, capture_output=True)
     return json.loads((output / "measurement.json").read_text())
 
 
 def study(options):
     """25 g of CarboHSP on all ranks, and the pile every half second; also of a run that is stopped by --time-limit."""
-    name = "little_friction"
+    for name in options.cases or CASES:
+        grow(options, name, [*CORNER, *rayleigh_share(CASES[name])])
+
+
+def grow(options, name, sets):
+    """One of the runs, and the table of its pile."""
     try:
-        repose.run(DECK, options.work / name, set=SETS, ranks=options.ranks, program=options.program,
+        repose.run(DECK, options.work / name, set=sets, ranks=options.ranks, program=options.program,
                    restart=True, options=time_limit(options))
     except repose.ReposeError as error:
         if error.code != STOPPED:
@@ -29,9 +35,9 @@ def study(options):
     run = repose.Run(options.work / name)
     rows = []
     for snapshot in run.snapshots[1::2]:
-        summary = measured(options, snapshot.path)
+        summary = measured(options, name, snapshot.path)
         rows.append({"time, s": round(snapshot.time_s, 2), "discharged, g": 1e3 * summary["discharged_mass_kg"],
                      "height, mm": 1e3 * summary["pile_height_m"], "angle, degrees": summary["angle_of_repose_deg"],
                      "error, degrees": summary["angle_of_repose_stderr_deg"]})
     print_table(rows, digits=4)
-    save(options.results / f"{name}.json", set=SETS, is_complete=run.is_complete, rows=rows)
+    save(options.results / f"{name}.json", set=sets, is_complete=run.is_complete, rows=rows)

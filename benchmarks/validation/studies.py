@@ -179,7 +179,7 @@ def main():
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "validation")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time, one rank each")
     parser.add_argument("--ranks", type=int, default=2, help="of runs at full size, of contours and of calibrations")
-    parser.add_argument("--cases", nargs="+", help="of full size, of sizes, of contours, of settling or of calibrations; default: all")
+    parser.add_argument("--cases", nargs="+", help="of a study that has some; default: all")
     parser.add_argument("--time-limit", help="of a run at full size, of contours or of a calibration: HH:MM:SS")
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.11, 12.0], help="of the funnel, mm")

@@ -88,6 +88,11 @@ def rayleigh_share(share):
     return [f"time.rayleigh_fraction={share}", f"time.hertz_fraction={share / 2}"]
 
 
+def modulus(value):
+    """The overrides that give grains and walls this Young's modulus."""
+    return [f"material.{index}.youngs_modulus={value}" for index in (0, 1)]
+
+
 def names_by_seed(name, count):
     """{seed: name} of the runs that differ in their seed alone."""
     return {seed: f"{name}_{seed}" for seed in range(1, count + 1)}

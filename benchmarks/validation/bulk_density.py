@@ -1,6 +1,6 @@
 """How dense settled beds lie: what filling, friction, stiffness and sizes do to it."""
 
-from bench import BULK_DENSITY, Bench, flat_floor, identities, print_table, save, vessel
+from bench import BULK_DENSITY, Bench, flat_floor, identities, modulus, print_table, save, vessel
 
 SETTLE = ["phase.discharge.min_time=0.001", "phase.discharge.max_time=0.002", BULK_DENSITY]  # the bed alone
 TALL = vessel("8 g", flat_floor(0.011, 0.067), 0.03)
@@ -9,7 +9,7 @@ BEDS = {  # deck and overrides
     "thrown in with 2 m/s instead of 0.3": ("carbohsp_mono.toml", ["particles.0.velocity=[0.0, 0.0, -2.0]"]),
     "friction 0.1 and 0.1": ("carbohsp_mono.toml", ["pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.1"]),
     "friction 0.9 and 0.5": ("carbohsp_mono.toml", ["pair.0.sliding_friction=0.9", "pair.0.rolling_friction=0.5"]),
-    "ten times as stiff": ("carbohsp_mono.toml", ["material.0.youngs_modulus=5e7", "material.1.youngs_modulus=5e7"]),
+    "ten times as stiff": ("carbohsp_mono.toml", modulus("5e7")),
     "CarboHSP, many sizes": ("carbohsp_multi.toml", []),
     "sand, many sizes": ("sand_multi.toml", []),
 }

@@ -11,9 +11,9 @@ CORNER = ["pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.5"]
 CASES = {"little_friction": 0.4, "little_friction_shorter_step": 0.3}
 
 
-def measured(options, name, snapshot):
+def measured(options, snapshot):
     """The figures of a snapshot of the pile while it grows."""
-    output = options.work / name / "measured" / snapshot.stem
+    output = snapshot.parent / "measured" / snapshot.stem
     subprocess.run([options.program, "measure", snapshot, "--deck", DECK, "--output", output], check=True, capture_output=True)
     return json.loads((output / "measurement.json").read_text())
 
@@ -35,7 +35,7 @@ def grow(options, name, sets):
     run = repose.Run(options.work / name)
     rows = []
     for snapshot in run.snapshots[1::2]:
-        summary = measured(options, name, snapshot.path)
+        summary = measured(options, snapshot.path)
         rows.append({"time, s": round(snapshot.time_s, 2), "discharged, g": 1e3 * summary["discharged_mass_kg"],
                      "height, mm": 1e3 * summary["pile_height_m"], "angle, degrees": summary["angle_of_repose_deg"],
                      "error, degrees": summary["angle_of_repose_stderr_deg"]})

@@ -19,19 +19,13 @@ import sand_layer
 import sensitivity
 import settling
 import wall_friction
-from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, STOPPED, Bench, figures, flat_floor, names_by_seed, places, print_table,
-                   rayleigh_share, repose, row_of, save, save_means, shown, spread_of, spreads, time_limit, vessel, with_seeds, write)
+from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, STOPPED, Bench, figures, flat_floor, modulus, names_by_seed, places,
+                   print_table, rayleigh_share, repose, row_of, save, save_means, shown, spread_of, spreads, time_limit, vessel,
+                   with_seeds, write)
 
-MATERIALS = ("material.0", "material.1")
-
-
-def modulus_of(value):
-    """The overrides that give grains and walls this Young's modulus."""
-    return [f"{material}.youngs_modulus={value}" for material in MATERIALS]
-
-
-# Grains and walls a fifth as stiff as the thesis's, with one and a half times its share of the Rayleigh time: nearly three times its step
-SOFTER = [*modulus_of("1 MPa"), *rayleigh_share(0.3), "guards.max_overlap=0.5"]  # of a small grain below a large one on the plate
+# Grains and walls a fifth as stiff as the thesis's, with one and a half times its share of the Rayleigh time: nearly three times
+# its step
+SOFTER = [*modulus("1 MPa"), *rayleigh_share(0.3), "guards.max_overlap=0.5"]  # of a small grain below a large one on the plate
 # Cases of `full`: that of input/validation.toml, and overrides. Without overrides they are the thesis's
 FULL = {"carbohsp_mono": ("carbohsp_mono", []), "carbohsp_multi": ("carbohsp_multi", []), "sand_multi": ("sand_multi", []),
         "carbohsp_multi_softer": ("carbohsp_multi", SOFTER)}
@@ -79,13 +73,13 @@ def stiffness(options):
     """The quick discharge test, until it rests, with several Young's moduli and time steps: a share of the Rayleigh time and half
     as much of the Hertz time."""
     runs, names = {}, []
-    for modulus, share in STEPS:
-        names.append(f"stiffness_{modulus}_{share:g}")
-        sets = [*modulus_of(modulus), *rayleigh_share(share), "phase.discharge.max_time=3 s"]
+    for value, share in STEPS:
+        names.append(f"stiffness_{value}_{share:g}")
+        sets = [*modulus(value), *rayleigh_share(share), "phase.discharge.max_time=3 s"]
         runs |= with_seeds(names[-1], "discharge_quick.toml", sets, options.seeds)
     summaries = Bench(options).run_all(runs)
-    rows = [{"E, Pa": modulus, "of the Rayleigh time": share, "time step, us": 1e6 * summaries[f"{name}_1"]["timestep_s"],
-             **row_of(spreads(summaries, name, options.seeds, DISCHARGE))} for (modulus, share), name in zip(STEPS, names)]
+    rows = [{"E, Pa": value, "of the Rayleigh time": share, "time step, us": 1e6 * summaries[f"{name}_1"]["timestep_s"],
+             **row_of(spreads(summaries, name, options.seeds, DISCHARGE))} for (value, share), name in zip(STEPS, names)]
     save_means(options, "stiffness", summaries, rows)
 
 
@@ -125,14 +119,14 @@ def funnel(options):
     write(options, "funnel", summaries, rows)
 
 
+DENSITY = (*DISCHARGE, "bulk_density_kg_m3")
 # Cases of `sizes`: name of its results, radius of the vessel in mm, overrides, spacing of one size over its diameter (None: the
 # distribution alone), figures
 SIZES = {"calibrated": ("sizes", 6.0, contours.SMALL, 1.75, DISCHARGE),
          "little": ("sizes_little_friction", 6.0, [*contours.SMALL, "pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.1"], 1.75,
                     DISCHARGE),
-         "full_vessel": ("sizes_full_vessel", 11.11, ["particles.0.mass=7.5 g", *rayleigh_share(0.3)], 1.25,
-                         (*DISCHARGE, "bulk_density_kg_m3")),
-         "softer": ("sizes_softer", 11.11, ["particles.0.mass=7.5 g", *SOFTER], None, (*DISCHARGE, "bulk_density_kg_m3"))}
+         "full_vessel": ("sizes_full_vessel", 11.11, ["particles.0.mass=7.5 g", *rayleigh_share(0.3)], 1.25, DENSITY),
+         "softer": ("sizes_softer", 11.11, ["particles.0.mass=7.5 g", *SOFTER], None, DENSITY)}
 
 
 def rim_of(options, name, radius):

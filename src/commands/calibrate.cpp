@@ -14,8 +14,8 @@ class Calibrate : public Command {
   }
 
   void carry_out(Process& process) override {
-    process.say(
-        calibrate_file(process.ranks(), request_.run_request(), process.stop_asked(request_.time_limit), report_));
+    process.say(calibrate_file(process.ranks(), request_.run_request(process.ranks()),
+                               process.stop_asked(request_.time_limit), report_));
   }
 
  private:

@@ -27,7 +27,7 @@ class Run : public Command {
   }
 
   void carry_out(Process& process) override {
-    RunRequest request = request_.run_request();
+    RunRequest request = request_.run_request(process.ranks());
     request.restart = restart_;
     const auto summary = run_file(process.ranks(), request, process.stop_asked(request_.time_limit));
     process.say(summary ? closing_lines(*summary, request.output)

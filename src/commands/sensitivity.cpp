@@ -11,7 +11,8 @@ class Sensitivity : public Command {
   void declare(Options& options) override { request_.declare(options, "FILE", "parameters and figures (TOML)"); }
 
   void carry_out(Process& process) override {
-    process.say(sensitivity_file(process.ranks(), request_.run_request(), process.stop_asked(request_.time_limit)));
+    process.say(sensitivity_file(process.ranks(), request_.run_request(process.ranks()),
+                                 process.stop_asked(request_.time_limit)));
   }
 
  private:

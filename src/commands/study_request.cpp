@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "comm/agreement.h"
 
 namespace repose {
 
@@ -39,11 +40,13 @@ void StudyRequest::declare(Options& options, const std::string& name, const std:
   options.flag("--quiet", quiet, "no progress lines");
 }
 
-RunRequest StudyRequest::run_request() const {
+RunRequest StudyRequest::run_request(const Communicator& world) const {
+  VectorLevel level{};
+  agree_after(world, [&] { level = vector_level_from(vector_level); });
   return {.deck = file,
           .overrides = overrides,
           .output = output,
-          .level = vector_level_from(vector_level),
+          .level = level,
           .log = {.progress = quiet ? nullptr : stdout}};
 }
 

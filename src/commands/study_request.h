@@ -23,7 +23,8 @@ struct StudyRequest {
 
   /// `name` is how the help calls the file, `meaning` what it says of it.
   void declare(Options& options, const std::string& name, const std::string& meaning);
-  RunRequest run_request() const;
+  /// Collective. DeckError on all ranks when the processor of one lacks the vector level.
+  RunRequest run_request(const Communicator& world) const;
 };
 
 }  // namespace repose

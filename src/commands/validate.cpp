@@ -14,8 +14,8 @@ class Validate : public Command {
   }
 
   void carry_out(Process& process) override {
-    process.say(
-        validate_file(process.ranks(), request_.run_request(), cases_, process.stop_asked(request_.time_limit)));
+    process.say(validate_file(process.ranks(), request_.run_request(process.ranks()), cases_,
+                              process.stop_asked(request_.time_limit)));
   }
 
  private:

@@ -20,7 +20,7 @@ bool is_touched(const TouchBuffer& touches, int wall, int feature) {
 }
 
 /// As if no particle had ever touched it.
-void forget(FaceGroup& group) {
+void forget_all(FaceGroup& group) {
   for (std::size_t lane = 0; lane < group.lanes; ++lane) {
     set_history(group.blocks[lane / block_lanes], lane % block_lanes, {});
   }
@@ -88,6 +88,13 @@ void WallContacts::find_contacts(std::span<const Wall> walls, const Particles& p
   }
 }
 
+void WallContacts::forget(std::int32_t wall) {
+  std::erase_if(contacts_, [&](const WallContact& c) { return c.wall == wall; });
+  for (FaceGroup& group : faces_) {
+    if (group.wall == wall) forget_all(group);
+  }
+}
+
 void WallContacts::locate(std::span<const Wall> walls, const Particles& particles) {
   WallAlarms ignored;
   find_contacts(walls, particles, ignored);
@@ -113,7 +120,7 @@ WallAlarms WallContacts::evaluate(VectorLevel level, std::span<const Wall> walls
   for (FaceGroup& group : faces_) {
     const Wall& wall = walls[static_cast<std::size_t>(group.wall)];
     if (!wall.present) {
-      forget(group);
+      forget_all(group);
       continue;
     }
     const WallLaw law = wall_law(materials, group.material, wall, dt, max_overlap);

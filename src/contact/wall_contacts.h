@@ -63,6 +63,9 @@ class WallContacts {
   WallAlarms evaluate(VectorLevel level, std::span<const Wall> walls, const MaterialTable& materials, double dt,
                       double max_overlap, Particles& particles);
 
+  /// Forgets the contacts with a wall, such as one that is removed: at the next evaluation they are new.
+  void forget(std::int32_t wall);
+
   /// Finds where the contacts of the last evaluation are: a build gives them their histories alone.
   void locate(std::span<const Wall> walls, const Particles& particles);
 

@@ -18,8 +18,10 @@ bool is_at_one_face(std::span<const Wall> walls, const TouchBuffer& touches, std
   return keeps_to_face(wall, t.feature, centre, touching + skin + wall.inner_skin, skin + wall.inner_skin);
 }
 
-/// Whether a wall is nearer than `reach` to a particle, be it across a periodic boundary that it may pass.
+/// Whether a wall is nearer than `reach` to a particle, be it across a periodic boundary that it may pass. None is to
+/// one that feels no walls, whose reach is below zero.
 bool is_within_reach(const Wall& wall, const Particles& particles, std::size_t i, double reach) {
+  if (!(reach > 0.0)) return false;
   const Vec3 position = particles.position(i);
   bool found = false;
   particles.periodic.for_each_shift(

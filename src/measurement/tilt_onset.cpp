@@ -5,6 +5,15 @@
 #include <cmath>
 
 namespace repose {
+namespace {
+
+/// A difference of positions that are known up to a length in each direction (0: exactly).
+Vec3 nearest_image(const Vec3& difference, const Vec3& length) {
+  const auto along = [](double d, double period) { return period > 0.0 ? d - period * std::round(d / period) : d; };
+  return {along(difference.x, length.x), along(difference.y, length.y), along(difference.z, length.z)};
+}
+
+}  // namespace
 
 void TiltOnset::sample(const Communicator& comm, const Particles& particles, double tilt) {
   if (onset_) return;
@@ -26,7 +35,7 @@ void TiltOnset::sample(const Communicator& comm, const Particles& particles, dou
     cannot_turn_ = seen[6] != 0.0;
     bound_ = std::isnan(deck_.displacement) ? 1e-3 * seen[3] : deck_.displacement;
   }
-  const double way = norm(position - *start_);
+  const double way = norm(nearest_image(position - *start_, particles.periodic.length()));
   if (way > bound_) {
     onset_ = last_tilt_ + (tilt - last_tilt_) * (bound_ - last_way_) / (way - last_way_);
     return;

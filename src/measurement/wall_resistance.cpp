@@ -37,8 +37,9 @@ Touching touching(const Wall& wall, std::vector<WallContact> contacts, const Par
 /// A body that advances at `speed` (m/s, or rad/s) along or about `axis` for `time` (s).
 struct Advance {
   const ServoAxis& axis;
-  double speed = 0.0;
-  double time = 0.0;
+  double speed;
+  double time;
+  double nearest;  ///< share of the radius at which a centre is kept from the wall
 };
 
 /// Appends the load along or about the axis on each particle that touches a wall of the body, after its advance past
@@ -46,14 +47,13 @@ struct Advance {
 void add_loads_after(const Advance& advance, VectorLevel level, const MaterialTable& materials,
                      const Touching& touching, std::vector<double>& loads) {
   constexpr double no_bound = std::numeric_limits<double>::infinity();
-  constexpr double nearest = 0.5;  // share of the radius at which a centre is kept from the wall
   const double way = advance.speed * advance.time;
   std::vector<WallContact> contacts = touching.contacts;
   for (WallContact& contact : contacts) {
     if (way == 0.0) break;
     const ParticleRecord& p = touching.records[static_cast<std::size_t>(contact.particle)];
     const double approach = way * dot(advance.axis.motion(1.0).at(p.position), contact.normal);
-    contact.distance = std::max(contact.distance - approach, nearest * p.radius);
+    contact.distance = std::max(contact.distance - approach, advance.nearest * p.radius);
   }
   SurfaceMotion surface = touching.wall->placement.motion;
   const SurfaceMotion added = advance.axis.motion(advance.speed);
@@ -79,19 +79,20 @@ WallResistance measure_resistance(const Communicator& comm, VectorLevel level, c
   const auto leader = static_cast<std::size_t>(pressing.wall);
   const ServoAxis& axis = walls[leader].servo->axis();
   const double speed = walls[leader].servo->max_speed();
+  const double nearest = 1.0 - std::min(0.5, 2.0 * pressing.max_overlap);  // deeper, the force is out of its range
   std::vector<Touching> grains;
   for (const std::size_t w : body_of(walls, leader)) {
     grains.push_back(touching(walls[w], wall_contacts.contacts_with(static_cast<std::int32_t>(w), walls, particles),
                               particles, materials.size()));
   }
-  const auto after = [&](const Advance& advance) {
+  const auto after = [&](double at_speed, double time) {
     std::vector<double> loads;
-    for (const Touching& one : grains) add_loads_after(advance, level, materials, one, loads);
+    for (const Touching& one : grains) add_loads_after({axis, at_speed, time, nearest}, level, materials, one, loads);
     return loads;
   };
-  const std::vector<double> now = after({axis, 0.0, moment});
-  const std::vector<double> standing = after({axis, 0.0, pressing.interval});  // springs go on by the grains' motion
-  std::vector<double> growth = after({axis, speed, pressing.interval});
+  const std::vector<double> now = after(0.0, moment);
+  const std::vector<double> standing = after(0.0, pressing.interval);  // springs go on by the grains' motion
+  std::vector<double> growth = after(speed, pressing.interval);
   for (std::size_t k = 0; k < growth.size(); ++k) growth[k] -= standing[k];
   return {order_independent_sum(comm, now), std::fabs(order_independent_sum(comm, growth)) / speed};
 }

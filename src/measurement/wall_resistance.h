@@ -9,8 +9,9 @@ namespace repose {
 
 /// A wall that could move along its servo's axis, or turn about it.
 struct PressingWall {
-  std::int32_t wall;  ///< its place among all
-  double interval;    ///< s, until the next look
+  std::int32_t wall;   ///< its place among all
+  double interval;     ///< s, until the next look
+  double max_overlap;  ///< share of the radius that ends a run; the wall is tried no deeper than twice that
 };
 
 /// Collective. The grains' force along its axis, or torque about it, on a wall with a servo and on those that move with

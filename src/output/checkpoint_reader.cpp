@@ -73,10 +73,10 @@ class Reader {
   template <class T, class Make>
   void read(Csr<T>& contacts, const std::string& counted, const std::string& group, const Make& make) {
     const auto counts = file_.read_rows<std::int64_t>(counted, 1, 0, end_);
-    const auto first = std::accumulate(counts.begin(), counts.begin() + begin_, std::int64_t{0});
-    const auto last = std::accumulate(counts.begin() + begin_, counts.end(), first);
     const bool sane = std::all_of(counts.begin(), counts.end(), [](std::int64_t n) { return n >= 0 && n < 1 << 20; });
     if (!sane) throw FileError(fmt::format("{}: {} holds impossible counts", file_.name(), counted));
+    const auto first = std::accumulate(counts.begin(), counts.begin() + begin_, std::int64_t{0});
+    const auto last = std::accumulate(counts.begin() + begin_, counts.end(), first);
     contacts.items = make(group, first, last);
     contacts.offset = {0};
     for (std::int64_t i = begin_; i < end_; ++i) {

@@ -35,7 +35,7 @@ std::string progress_line(const ProgressState& state) {
       "particle-steps/s  imbalance {:.2f}  {} left",
       state.step, state.time_s, percent, state.phase, state.particles, state.contacts, state.kinetic_energy_j,
       short_count(state.particle_steps_per_second), state.imbalance,
-      state.seconds_left ? duration_text(*state.seconds_left) : "unknown");
+      state.seconds_left ? "at most " + duration_text(*state.seconds_left) : "unknown");
 }
 
 }  // namespace repose

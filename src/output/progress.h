@@ -16,8 +16,8 @@ struct ProgressState {
   std::int64_t contacts = 0;
   double kinetic_energy_j = 0.0;  ///< mean per particle
   double particle_steps_per_second = 0.0;
-  double imbalance = 1.0;  ///< cost of the busiest rank over the mean
-  std::optional<double> seconds_left;
+  double imbalance = 1.0;              ///< cost of the busiest rank over the mean
+  std::optional<double> seconds_left;  ///< if every phase takes its longest
 };
 
 /// A time span as a person says it: "45 s", "3 min", "2 h 05 min", "4 d 06 h".

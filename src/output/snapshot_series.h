@@ -16,6 +16,10 @@ class SnapshotSeries {
   /// listed already gets the new time. Throws FileError.
   void add(const std::string& name, double time_s);
 
+  /// Rewrites the list as it is; removes it when it is empty. For a run that goes on behind snapshots that it had made
+  /// and will make again. Throws FileError.
+  void rewrite() const;
+
   template <class Self, class Visitor>
   static void describe_state(Self& self, Visitor& v) {
     v("files", self.files_);

@@ -231,7 +231,7 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
   const double rate = static_cast<double>(simulation.steps() - last_progress_step_) / elapsed;
   state.particle_steps_per_second = rate * static_cast<double>(inside_);
   state.imbalance = simulation.counters().imbalance;
-  state.seconds_left = static_cast<double>(total_steps_ - done) / rate;
+  if (rate > 0.0) state.seconds_left = static_cast<double>(total_steps_ - done) / rate;
   if (comm.is_root()) options_.log.say(progress_line(state));
   last_progress_ = WallClock::now();
   last_progress_step_ = simulation.steps();
@@ -242,7 +242,13 @@ void Recorder::report_progress(const Simulation& simulation, const Phase& phase)
 Figures Recorder::measured(const Simulation& simulation, const ReadFile& read_file, std::int64_t left) const {
   const Deck& deck = simulation.deck();
   Figures figures = no_figures();
-  for (const Watched& w : watches_) w.watch->finish(simulation, read_file, figures);
+  for (const Watched& w : watches_) {
+    try {
+      w.watch->finish(simulation, read_file, figures);
+    } catch (const PhysicsError& error) {  // of a further run, on all ranks alike
+      if (simulation.comm().is_root()) options_.log.warn(fmt::format("no {}: {}", name_of(*w.kind), error.what()));
+    }
+  }
   std::vector<const MeasurementKind*> of_grains;
   for (const MeasurementKind& kind : measurement_kinds()) {
     if (kind.watch == nullptr && kind.is_enabled(deck)) of_grains.push_back(&kind);

@@ -12,7 +12,10 @@ void Recorder::resume(const Simulation& simulation) {
   inside_ = inside(simulation);
   counted_steps_ = simulation.steps();
   last_progress_step_ = simulation.steps();
-  agree_after_root(simulation.comm(), [&] { remove_snapshots_after(simulation.steps()); });
+  agree_after_root(simulation.comm(), [&] {
+    remove_snapshots_after(simulation.steps());
+    snapshots_.rewrite();
+  });
 }
 
 void Recorder::sync_files(const Communicator& comm) {

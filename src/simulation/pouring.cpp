@@ -51,6 +51,7 @@ struct Pouring::Batch {
   const PourMoment& now;
   const Particles& particles;
   const std::vector<Wall>& walls;
+  double largest;  ///< m, radius of all that is poured
   NewParticles entering = {};
   SphereGrid fresh = {};  ///< those that are entering, and their images
 
@@ -95,8 +96,7 @@ struct Pouring::Batch {
     entering.spin.push_back({});
     entering.radius.push_back(radius);
     entering.material.push_back(flow.pour.material);
-    particles.periodic.for_each_shift(at, radius + flow.largest,
-                                      [&](const Vec3& shift) { fresh.add(at + shift, radius); });
+    particles.periodic.for_each_shift(at, radius + largest, [&](const Vec3& shift) { fresh.add(at + shift, radius); });
   }
 };
 
@@ -123,7 +123,9 @@ bool Pouring::is_under_way(std::int64_t step) const {
 
 NewParticles Pouring::enter(const Communicator& comm, const PourMoment& now, const Particles& particles,
                             const std::vector<Wall>& walls) {
-  Batch batch{comm, now, particles, walls};
+  double largest = 0.0;
+  for (const Flow& flow : flows_) largest = std::max(largest, flow.largest);
+  Batch batch{comm, now, particles, walls, largest};
   next_step_ = never;
   for (Flow& flow : flows_) {
     if (flow.next == now.step) {

@@ -71,6 +71,7 @@ void Simulation::restore(Particles particles, ContactMemory memory, const ExitCo
   wrap_positions(particles_);
   const std::vector<SumOfParticle> sums = force_sums(particles_);
   pairs_.clear();
+  warning_.reset();                                           // of the set-up
   const RunCounters counters = std::exchange(counters_, {});  // a first rebuild bisects anew
   rebuild_lists(std::move(memory));
   bring_back(comm_, decomposition_, sums, particles_);  // a rebuild drops them: mostly it comes right before the forces
@@ -79,7 +80,6 @@ void Simulation::restore(Particles particles, ContactMemory memory, const ExitCo
   counters_.peak_ghosts = static_cast<std::int64_t>(particles_.ghosts());
   if (heat_) heat_->set_ledger(comm_.is_root() ? heat : HeatLedger::none(walls().size()));
   left_ = comm_.is_root() ? left : ExitCount::none(deck_.exits.size());
-  warning_.reset();
   clock_ = {};
   load_ = RankLoad(comm_);
 }

@@ -110,8 +110,16 @@ void Simulation::begin_phase(const std::string& name) {
       std::find_if(deck_.phases.begin(), deck_.phases.end(), [&](const PhaseDeck& p) { return p.name == name; });
   const PhaseDeck phase = found == deck_.phases.end() ? PhaseDeck{} : *found;
   moves_ = phase.mechanics;
+  if (!moves_) scene_.place(time_step_.step);  // with the motions of this phase, as no step will
   growth_ = phase.growth;
   if (heat_) heat_->set_boxes(phase.heat);
+}
+
+void Simulation::set_wall_present(const std::string& name, bool present) {
+  scene_.set_wall_present(name, present);
+  for (std::size_t w = 0; w < walls().size(); ++w) {
+    if (!walls()[w].present) wall_contacts_.forget(static_cast<std::int32_t>(w));
+  }
 }
 
 void Simulation::warm() {
@@ -171,8 +179,9 @@ void Simulation::control_servos() {
     if (!scene_.is_servo_due(w, steps_)) continue;
     clock_.enter(Stage::wall_contacts);
     const double interval = static_cast<double>(walls()[w].servo->every()) * time_step_.step;
-    const WallResistance grains = measure_resistance(comm_, level_, {static_cast<std::int32_t>(w), interval}, walls(),
-                                                     materials_, particles_, wall_contacts_);
+    const PressingWall pressing{static_cast<std::int32_t>(w), interval, deck_.guards.max_overlap};
+    const WallResistance grains =
+        measure_resistance(comm_, level_, pressing, walls(), materials_, particles_, wall_contacts_);
     if (const auto told = scene_.control(w, grains, time_step_.step)) warn(fmt::format("step {}: {}", steps_, *told));
   }
 }

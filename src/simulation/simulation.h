@@ -66,7 +66,7 @@ class Simulation {
 
   /// Adds or removes a named wall from the next evaluation of the forces on. Contacts with a removed wall are
   /// forgotten.
-  void set_wall_present(const std::string& name, bool present) { scene_.set_wall_present(name, present); }
+  void set_wall_present(const std::string& name, bool present);
   /// Starts the motions, the tilt, the growth and the boxes of heat that belong to a phase, and stops the others.
   void begin_phase(const std::string& name);
   /// Gives the particles in the boxes of the phase their temperatures.

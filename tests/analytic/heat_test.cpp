@@ -348,6 +348,33 @@ TEST(Heat, TwoGrainsApartExchangeByGasAndRadiationAsTheNetworkHasIt) {
   }
 }
 
+// Rings of columns from the cone in the grain to its surface, and across what is left to the wall (T.17).
+TEST(Heat, AGrainNearAWallConductsInColumnsToIt) {
+  constexpr double k = 2.0, gap = 0.3 * radius, temperature = 600.0, pressure = 2000.0;
+  const double base = 0.560 * radius / std::cbrt(1.0 - 0.4);
+  const double height = radius + gap;
+  const double rim = radius * base / std::hypot(base, height);
+  const Gas air = air_at(temperature, pressure);
+  const double h = 4.0 * 5.670374419e-8 * std::pow(temperature, 3) / (2.0 / 0.8 - 1.0);
+  for (const auto& [gas, radiates] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
+    Deck deck = still_deck(k, 800.0, 1e-6);
+    deck.heat.gas = gas ? GapGas::air : GapGas::none;
+    deck.heat.pressure = pressure;
+    deck.heat.radiation = radiates;
+    constexpr int rings = 200000;
+    double sum = 0.0;
+    for (int i = 0; i < rings; ++i) {
+      const double r = rim * (i + 0.5) / rings;
+      const double surface = std::sqrt(radius * radius - r * r);
+      const double across =
+          (gas ? air.conductivity / (height - surface + modified_free_path(air)) : 0.0) + (radiates ? h : 0.0);
+      sum += 2.0 * M_PI * r * (rim / rings) / ((surface - r * height / base) / k + 1.0 / across);
+    }
+    const double found = Conductance(deck).of_wall({radius, temperature, 0}, {0.0, temperature, 0}, height);
+    EXPECT_NEAR(found / sum, 1.0, 1e-7) << gas << radiates;
+  }
+}
+
 /// A column of 40 grains between two walls, whose contacts conduct twice as well as those of the grains: as if the
 /// walls were half a spacing away.
 class Column {

@@ -162,6 +162,29 @@ TEST(DrivenScene, TheApparatusTurnsAndGravityTheOtherWay) {
   world.barrier();
 }
 
+// A grain that is glued into a plate, its centre in the surface.
+TEST(DrivenScene, HeldParticlesFeelNoWallOfAnyKind) {
+  const Communicator world(MPI_COMM_WORLD);
+  const std::string plates[] = {
+      "type = \"rectangle\"\ncorner = [-0.01, -0.01, 0.0]\nedge_u = [0.02, 0.0, 0.0]\nedge_v = [0.0, 0.02, 0.0]\n",
+      "type = \"plane\"\npoint = [0.0, 0.0, 0.0]\n", "type = \"mesh\"\nfile = \"plate.stl\"\n"};
+  const auto stl = [](const std::string&) {
+    return std::string("solid plate\nfacet normal 0 0 1\nouter loop\nvertex -0.01 -0.01 0\nvertex 0.01 -0.01 0\n") +
+           "vertex 0 0.01 0\nendloop\nendfacet\nendsolid plate\n";
+  };
+  for (const std::string& plate : plates) {
+    const std::string text =
+        glass + "[domain]\nmin = [-0.01, -0.01, -0.01]\nmax = [0.01, 0.01, 0.01]\n[[wall]]\n" +
+        "name = \"plate\"\nmaterial = \"glass\"\n" + plate + "[[particles]]\ntype = \"lattice\"\n" +
+        "material = \"glass\"\ndiameter = 0.001\ncounts = [1, 1, 1]\nspacing = 0.002\n" +
+        "first = [0.0, 0.0, 0.0]\nfixed = true\n[[phase]]\nname = \"rest\"\nuntil = \"steps\"\nsteps = 10\n";
+    Simulation s(world, read_deck(text, "glued.toml", {}), stl, best_vector_level());
+    s.advance(10);
+    s.check_guards();
+    EXPECT_TRUE(s.wall_contacts().contacts(s.walls(), s.particles()).empty()) << plate;
+  }
+}
+
 TEST(DrivenScene, HeldParticlesFollowTheirPath) {
   const Communicator world(MPI_COMM_WORLD);
   const Deck deck = read_deck(driven_scene, "driven.toml", {});
@@ -173,7 +196,10 @@ TEST(DrivenScene, HeldParticlesFollowTheirPath) {
   const double x = std::cos(angle) * start.x + std::sin(angle) * start.z;
   const double z = std::cos(angle) * start.z - std::sin(angle) * start.x;
   const Particles& p = s.particles();
+  std::int64_t driven = 0, others = 0;
   for (std::size_t i = 0; i < p.owned; ++i) {
+    driven += p.id[i] == 450 ? 1 : 0;
+    others += p.id[i] > 450 ? 1 : 0;
     if (p.id[i] == 450) {
       EXPECT_NEAR(p.record[i].position.x, x, 1.5e-4);  // where the lattice put it, to within its jitter
       EXPECT_NEAR(p.record[i].position.z, z, 1.5e-4);
@@ -186,6 +212,8 @@ TEST(DrivenScene, HeldParticlesFollowTheirPath) {
       EXPECT_NEAR(p.record[i].position.z, -0.0145, 1e-17);
     }
   }
+  EXPECT_EQ(world.sum(driven), 1);
+  EXPECT_EQ(world.sum(others), s.planned() - 451);
 }
 
 }  // namespace

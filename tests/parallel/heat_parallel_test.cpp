@@ -118,6 +118,8 @@ TEST(HeatParallel, LeavesTheStateOfOthersAlone) {
   Simulation without(world, cold, {}, best_vector_level());
   with.advance(1000);
   without.advance(1000);
+  ASSERT_EQ(with.particles().owned, without.particles().owned);
+  EXPECT_GT(world.sum(static_cast<std::int64_t>(with.particles().owned)), 0);
   for (std::size_t i = 0; i < with.particles().owned; ++i) {
     ASSERT_EQ(with.particles().id[i], without.particles().id[i]);
     ASSERT_EQ(with.particles().record[i].position, without.particles().record[i].position);

@@ -192,6 +192,32 @@ TEST_F(PourTest, SameBitsHoweverTheListsAndRanksAre) {
   EXPECT_EQ(s.inserted(), 200);
 }
 
+// A small grain 1.5 mm before a periodic boundary, and at the same step a large one 0.5 mm behind it.
+TEST_F(PourTest, FlowsKeepOutOfEachOthersWayAcrossAPeriodicBoundary) {
+  Deck deck = pouring_deck();
+  deck.domain.min = {-10e-3, -10e-3, -1.0};
+  deck.domain.max = {10e-3, 10e-3, 1.0};
+  deck.domain.periodic = {Axis::x};
+  ParticlesDeck& small = deck.particles[0];
+  small.count = 1;
+  small.normal = {1.0, 0.0, 0.0};
+  small.velocity = {0.0, 0.0, -1.0};
+  ParticlesDeck large = small;
+  small.diameter = 1e-3;
+  small.radius = 0.51e-3;  // little more than its own
+  small.centre = {8.5e-3, 0.0, 0.0};
+  large.diameter = 4e-3;
+  large.radius = 2.01e-3;
+  large.centre = {-9.5e-3, 0.0, 0.0};
+  deck.particles.push_back(large);
+  Simulation s = make(deck);
+  s.advance(1201);
+  EXPECT_EQ(s.inserted(), 1);
+  s.advance(400);  // the small one has fallen out of the way
+  s.check_guards();
+  EXPECT_EQ(s.inserted(), 2);
+}
+
 TEST_F(PourTest, NumbersAreThoseOfTheDeckOrder) {
   Deck deck = pouring_deck();
   ParticlesDeck lattice;

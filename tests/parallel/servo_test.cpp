@@ -8,6 +8,7 @@
 
 #include "deck/read_deck.h"
 #include "measurement/wall_loads.h"
+#include "measurement/wall_resistance.h"
 #include "servo_runs.h"
 #include "simulation/phases.h"
 #include "simulation/simulation.h"
@@ -96,6 +97,23 @@ TEST(Servo, AGrainBetweenTwoPlanesIsPressedAsHertzSays) {
     const double overlap = std::pow(0.75 * force / (modulus * std::sqrt(1e-3)), 2.0 / 3.0);
     EXPECT_NEAR(scene.simulation().walls()[1].servo->way(), 1e-4 + 2.0 * overlap, 1e-3 * overlap) << force;
   }
+}
+
+// Before the next look the lid could go through a tenth of the radius, five times the overlap that ends a run.
+TEST(Servo, IsTriedNoDeeperThanForcesReach) {
+  Deck deck = grain_under_lid({0.0, 0.0, -1.0}, 1e-3);
+  deck.walls[1].point.z = 2e-3 - 1e-8;  // on the grain
+  deck.guards.max_overlap = 0.02;
+  Scene scene(deck, {{{0.0, 0.0, 1e-3}, {}, {}, 1e-3}});
+  const Simulation& s = scene.simulation();
+  const double speed = s.walls()[1].servo->max_speed();
+  const WallResistance grains =
+      measure_resistance(Communicator(MPI_COMM_WORLD), s.vector_level(), {1, 1e-4 / speed, 0.02}, s.walls(),
+                         s.materials(), s.particles(), s.wall_contacts());
+  const double modulus = 5e6 / (2.0 * (1.0 - 0.09));
+  const double hertz = 4.0 / 3.0 * modulus * std::sqrt(1e-3) * std::pow(0.04e-3, 1.5);
+  EXPECT_GT(grains.per_speed * speed, hertz);
+  EXPECT_LT(grains.per_speed * speed, 1.5 * hertz);  // with the dashpot
 }
 
 /// Six layers of a face-centred crystal between two planes, without friction and gravity; 1.414496 mm is just above

@@ -24,6 +24,19 @@ TEST(TimeStepGuard, BeyondTheFractionItWarnsOnce) {
   EXPECT_FALSE(scene.simulation().take_warning().has_value());
 }
 
+TEST(TimeStepGuard, WhatGoesOnTooFastIsWarnedOf) {
+  const std::vector<Grain> grains = {{{0, 0, 0}, {0.1, 0, 0}, {}, radius}, {{0.5, 0, 0}, {}, {}, radius}};
+  Scene before(at_hertz_limit(0.1), grains);
+  Particles particles = before.simulation().particles();
+  for (std::size_t i = 0; i < particles.owned; ++i) particles.record[i].velocity = 8.0 * particles.record[i].velocity;
+  Scene after(at_hertz_limit(0.1), grains);
+  after.simulation().restore(std::move(particles), before.simulation().contact_memory(),
+                             before.simulation().left_here());
+  const std::optional<std::string> warning = after.simulation().take_warning();
+  ASSERT_TRUE(warning.has_value());
+  expect_parts(*warning, {"0.8 m/s", "1.52 times", "expected 0.1 m/s"});
+}
+
 TEST(TimeStepGuard, WithinTheFractionItIsSilent) {
   Scene scene(at_hertz_limit(0.1), {{{0, 0, 0}, {0.1, 0, 0}, {}, radius}, {{0.5, 0, 0}, {}, {}, radius}});
   scene.run(20000);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "comm/communicator.h"
 #include "commands/command_line.h"
 #include "commands/study_request.h"
 
@@ -55,7 +56,7 @@ TEST(StudyRequest, TakesOverridesAndADeckInAnyOrder) {
   EXPECT_EQ(request.vector_level, "avx2");
   EXPECT_FALSE(request.quiet);
   EXPECT_FALSE(request.time_limit);
-  const RunRequest run = study({"deck.toml", "--output", "out", "--quiet"}).run_request();
+  const RunRequest run = study({"deck.toml", "--output", "out", "--quiet"}).run_request(Communicator(MPI_COMM_SELF));
   EXPECT_EQ(run.level, best_vector_level());
   EXPECT_EQ(run.log.progress, nullptr);
   EXPECT_FALSE(run.restart);

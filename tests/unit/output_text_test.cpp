@@ -118,6 +118,12 @@ TEST_F(TextOutputTest, SnapshotSeriesIsValidAfterEachAddition) {
   EXPECT_EQ(json["files"][0]["name"], "a.hdf");
   EXPECT_EQ(json["files"][0]["time"], 0.125);
   EXPECT_EQ(json["files"][1]["name"], "b \"quoted\".hdf");
+  const std::string text = file_bytes(folder_ / "run.hdf.series");
+  std::filesystem::remove(folder_ / "run.hdf.series");
+  series.rewrite();
+  EXPECT_EQ(file_bytes(folder_ / "run.hdf.series"), text);
+  SnapshotSeries(folder_ / "run.hdf.series").rewrite();  // of none
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run.hdf.series"));
 }
 
 Summary sample_summary() {
@@ -188,7 +194,7 @@ TEST(ProgressTest, Line) {
   EXPECT_EQ(
       line,
       "step    120000     0.6000 s   44 %  phase discharge       9362 particles     18324 contacts  Ek 3.20e-11 J  "
-      "  8.1 M particle-steps/s  imbalance 1.03  3 min left");
+      "  8.1 M particle-steps/s  imbalance 1.03  at most 3 min left");
   state.step = 7;
   state.contacts = 0;
   state.seconds_left.reset();

@@ -197,6 +197,20 @@ TEST(TurningServo, NoPointOfTheDomainIsFasterThanTheBound) {
   EXPECT_EQ(greatest_speed(wall, domain), 0.1);
 }
 
+// A blade that turns about y at 20 rad/s, pressed along x: by 40 mm its corner is at (-90, 50) mm from its axis.
+TEST(Servo, ThatCarriesARotationAlongLetsItReachFarther) {
+  WallDeck wall;
+  wall.servo = servo_deck();
+  wall.servo.direction = {1.0, 0.0, 0.0};
+  MotionDeck turn;
+  turn.type = MotionType::rotation;
+  turn.axis_direction = {0.0, 1.0, 0.0};
+  turn.angular_velocity = 20.0;
+  wall.motions = {turn};
+  const DomainDeck domain = {{-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05}};
+  EXPECT_GT(greatest_speed(wall, domain), 20.0 * std::hypot(0.09, 0.05) + 0.1);
+}
+
 TEST(Servo, HoldsTheWallInOtherPhases) {
   ServoDeck deck = servo_deck();
   deck.phases = {"press"};

@@ -55,6 +55,17 @@ TEST(Criteria, AreMetByGoodTransients) {
   EXPECT_LE(alarms, 8);
 }
 
+TEST(Criteria, DriftIsNotAskedForWithoutADuration) {
+  const Sample s = steel();
+  Transient transient = synthesise(s.measurement, rings());
+  transient.idle_time.clear();
+  transient.idle_rise.clear();
+  TpsLimits limits = s.limits;
+  EXPECT_TRUE(has(broken(transient, setup_of(s.measurement), limits), "drift"));
+  limits.drift_duration = 0.0;
+  EXPECT_FALSE(has(broken(transient, setup_of(s.measurement), limits), "drift"));
+}
+
 TEST(Criteria, Drift) {
   Sample s = steel();
   s.measurement.drift = 2e-3;  // K/s: over 5 s 0.4 % of the rise

@@ -90,8 +90,10 @@ class CompressionWatch : public Watch {
     return 4.0 / 3.0 * pi * order_independent_sum(simulation.comm(), cubes);
   }
 
-  /// Slope of the stress over the logarithmic strain by least squares; none of fewer than three samples.
+  /// Slope of the stress over the logarithmic strain by least squares; none of fewer than three samples, or without a
+  /// stress.
   std::optional<double> unloading_modulus() const {
+    if (!(stress_ > 0.0)) return {};
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     for (std::size_t k = 0; k < unloading_stress_.size(); ++k) {
       const double fallen = 1.0 - unloading_stress_[k] / stress_;

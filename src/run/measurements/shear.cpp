@@ -65,8 +65,8 @@ class ShearWatch : public Watch {
     figures["shear_stress_Pa"] = std::fabs(mean.shear);
     figures["normal_stress_Pa"] = mean.normal;
     figures["internal_friction_deg"] = ratio_in_degrees(mean.shear, mean.normal);
-    const std::size_t width =
-        std::max<std::size_t>(1, static_cast<std::size_t>(std::rint(peak_share * deck_.from / deck_.interval)));
+    const double apart = time_.front();  // the first sample is an interval after the beginning of the phase
+    const auto width = static_cast<std::size_t>(std::max(1.0, std::rint(peak_share * deck_.from / apart)));
     double peak = 0.0;
     for (std::size_t first = 0; first + width <= time_.size(); ++first) {
       const ShearStress here = mean_of(first, first + width);

@@ -115,15 +115,20 @@ Placement Servo::placement() const {
 
 double greatest_speed(const WallDeck& wall, const DomainDeck& domain) {
   const ServoDeck& servo = wall.servo;
-  MotionDeck fastest;  // of the servo
-  if (servo.enabled && servo.type == ServoType::rotation) {
+  if (!servo.enabled) return greatest_speed(wall.motions, domain);
+  MotionDeck fastest;  // of the servo, which carries the motions along
+  if (servo.type == ServoType::rotation) {
     fastest.type = MotionType::rotation;
     fastest.axis_origin = servo.axis_origin;
     fastest.axis_direction = servo.axis_direction;
     fastest.angular_velocity = servo.max_angular_velocity;
-    return greatest_speed(wall.motions, domain) + greatest_speed({fastest}, domain);
+  } else {
+    if (wall.motions.empty()) return servo.max_speed;
+    fastest.velocity = servo.max_speed * unit_vector(servo.direction);
   }
-  return greatest_speed(wall.motions, domain) + (servo.enabled ? servo.max_speed : 0.0);
+  std::vector<MotionDeck> all = wall.motions;
+  all.push_back(fastest);
+  return greatest_speed(all, domain);
 }
 
 }  // namespace repose

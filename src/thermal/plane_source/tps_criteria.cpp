@@ -38,7 +38,10 @@ Criterion drift(const Transient& t, const TpsSetup& setup, const TpsLimits& limi
                               ? 0.0
                               : (t.idle_time.back() - t.idle_time.front()) * static_cast<double>(t.idle_time.size()) /
                                     static_cast<double>(t.idle_time.size() - 1);
-  if (recorded < limits.drift_duration * (1.0 - 1e-9)) return c;
+  if (t.idle_time.size() < fewest || recorded < limits.drift_duration * (1.0 - 1e-9)) {
+    c.is_met = limits.drift_duration == 0.0;  // it is not asked for
+    return c;
+  }
   const Slope slope = slope_of(t.idle_time, t.idle_rise);
   c.value = std::abs(slope.value) * used(t.time, setup).back() / std::abs(used(t.rise, setup).back());
   const double significant = student_quantile(0.9995, static_cast<double>(t.idle_time.size()) - 2.0);

@@ -12,14 +12,15 @@ constexpr double least_step = 1e-10;  // of the box
 constexpr double no_gain = 1e-10;     // of T, relative
 constexpr double zero = 1e-22;        // a T that is none
 
+/// By central differences, at an edge of the box by those to one side: beyond it there may be no residuals.
 Matrix jacobian(const Residuals& residuals, const Vector& point) {
   Matrix result;
   for (Index j = 0; j < point.size(); ++j) {
     Vector before = point;
     Vector after = point;
-    before[j] -= difference;
-    after[j] += difference;
-    const Vector slope = (residuals(after) - residuals(before)) / (2.0 * difference);
+    before[j] = std::max(0.0, point[j] - difference);
+    after[j] = std::min(1.0, point[j] + difference);
+    const Vector slope = (residuals(after) - residuals(before)) / (after[j] - before[j]);
     if (j == 0) result.resize(slope.size(), point.size());
     result.col(j) = slope;
   }

@@ -1,7 +1,10 @@
 #include "campaign/calibrate.h"
 
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -18,6 +21,7 @@
 #include "campaign/search.h"
 #include "comm/agreement.h"
 #include "deck/calibration_deck.h"
+#include "deck/deck_difference.h"
 #include "files/atomic_file.h"
 #include "files/results_directory.h"
 #include "files/shared_file.h"
@@ -28,6 +32,7 @@ namespace {
 constexpr const char* deck_file = "/calibration.toml";
 constexpr const char* estimate_file = "/estimate.json";
 constexpr const char* samples_file = "/posterior.csv";
+constexpr const char* resolved_file = "/deck.resolved.toml";
 
 /// A prior of which the range leaves next to nothing is a mistake.
 void check_priors_in_ranges(const CalibrationDeck& deck, const std::string& path) {
@@ -87,7 +92,7 @@ std::string search_text(const AdaptiveDeck& a) {
 
 /// What `repose estimate` reads in the directory.
 void write_copies(const CalibrationDeck& deck, const std::string& text, const RunRequest& request) {
-  write_text_file(request.output + deck_file, text);
+  write_text_file(request.output + deck_file, copy_of_study(text, request));
   for (const ObservableDeck& o : deck.observables) {
     if (!o.is_curve()) continue;
     write_text_file(request.output + "/" + curve_copy(o), read_whole_file(path_beside(request.deck, o.curve)));
@@ -96,9 +101,54 @@ void write_copies(const CalibrationDeck& deck, const std::string& text, const Ru
 
 std::string write_estimate(const Projection& projection, std::span<const StudyRun> runs, const std::string& directory) {
   const Report report = report_of(projection, runs);
-  if (!report.samples.empty()) write_text_file(directory + samples_file, report.samples);
+  if (report.samples.empty()) {
+    std::filesystem::remove(directory + samples_file);  // of an estimate with priors
+  } else {
+    write_text_file(directory + samples_file, report.samples);
+  }
   write_text_file(directory + estimate_file, report.json);
   return report.text;
+}
+
+/// Those of points beyond the ranges of the parameters; a line on how many, if any.
+std::string leave_out_beyond_ranges(const StudyDeck& study, std::vector<StudyRun>& runs) {
+  const std::vector<ParameterRange> ranges = ranges_of(study);
+  const auto is_beyond = [&](const StudyRun& run) {
+    for (std::size_t j = 0; j < ranges.size(); ++j) {
+      const double slack = 1e-9 * (ranges[j].upper - ranges[j].lower);
+      if (run.values[j] < ranges[j].lower - slack || run.values[j] > ranges[j].upper + slack) return true;
+    }
+    return false;
+  };
+  const std::size_t left_out = std::erase_if(runs, is_beyond);
+  if (left_out == 0) return "";
+  return fmt::format("runs beyond the ranges of the parameters are left out: {}\n", left_out);
+}
+
+/// DeckError when runs of one level and experiment that have begun differ by more than their parameters and seeds and
+/// how they are written.
+void refuse_mixed_decks(const std::string& directory, std::span<const StudyRun> runs) {
+  struct Begun {
+    std::string name, deck;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Begun> first_of;
+  for (const StudyRun& run : runs) {
+    const std::string path = folder_of(directory, run) + resolved_file;
+    if (!std::filesystem::exists(path)) continue;
+    const Begun own{run.name, read_whole_file(path)};
+    const auto [found, is_first] = first_of.try_emplace({run.level, run.experiment}, own);
+    if (is_first) continue;
+    const Begun& first = found->second;
+    const std::span varied = std::span(run.overrides).last(run.values.size() + 1);  // and the seed
+    for (const DeckDifference& d : deck_differences_beyond({varied.begin(), varied.end()}, first.deck, own.deck)) {
+      if (d.key.starts_with("output.")) continue;
+      const auto text = [](const std::string& value) { return value.empty() ? std::string("nothing") : value; };
+      throw DeckError(fmt::format(
+          "{}/runs: {} and {} are of different decks: {}: {} in the one, {} in the other; an estimate takes "
+          "runs of one deck, so move those of the other away",
+          directory, first.name, own.name, d.key, text(d.before), text(d.now)));
+    }
+  }
 }
 
 }  // namespace
@@ -152,11 +202,13 @@ std::string estimate_directory(const Communicator& world, const std::string& dir
   check_priors_in_ranges(deck, deck_path);
   std::string report;
   agree_after_root(world, [&] {
-    const std::vector<StudyRun> runs = level_runs_in(directory + "/runs", deck);
+    std::vector<StudyRun> runs = level_runs_in(directory + "/runs", deck);
+    report = leave_out_beyond_ranges(deck.study, runs);
+    refuse_mixed_decks(directory, runs);
     const std::vector<RunRecord> records = read_run_folders(directory, runs, run_figures(deck));
     const KnownLevels known = known_levels(deck, runs, records);
     const Projection projection = project_curves(known.deck, directory, known.runs, known.records);
-    report = known.left_out + write_estimate(projection, known.runs, directory);
+    report += known.left_out + write_estimate(projection, known.runs, directory);
   });
   return report;
 }

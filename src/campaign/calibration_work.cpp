@@ -33,6 +33,7 @@ CalibrationWork::CalibrationWork(const Communicator& world, const CalibrationDec
       overrides_(request.overrides),
       stop_asked_(stop_asked),
       plan_(plan_of_levels(deck, text, request)) {
+  plan_.check_deck = [&deck](const Deck& run, std::size_t experiment) { check_curves(deck, run, experiment); };
   plan_.check_run = [&deck](const std::string& folder, const StudyRun& run) { check_curves(deck, folder, run); };
 }
 

@@ -217,6 +217,16 @@ CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, con
   return plan;
 }
 
+std::string copy_of_study(std::string_view text, const RunRequest& request) {
+  constexpr std::string_view set = "# --set ";
+  while (text.starts_with(set)) {  // of an earlier copy
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  std::string copy;
+  for (const std::string& override : request.overrides) copy += fmt::format("{}{}\n", set, one_line(override));
+  return copy.append(text);
+}
+
 std::string effort_text(const CampaignEffort& effort, int ranks) {
   return fmt::format("{} runs in {:.1f} s on {} rank{}, {} at a time; the ranks were idle for {:.1f} % of it\n",
                      effort.runs, effort.wall_seconds, ranks, ranks == 1 ? "" : "s", effort.groups,
@@ -243,6 +253,7 @@ void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs) {
       for (const RunFigure& figure : plan.figures) {
         if (figure.experiment == run.experiment) require_figure(deck, figure.key);
       }
+      if (plan.check_deck) plan.check_deck(deck, run.experiment);
     }
     if (plan.directory.empty()) continue;
     const std::string folder = folder_of(plan.directory, run);

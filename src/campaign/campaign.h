@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "campaign/grid_table.h"
@@ -29,6 +30,8 @@ struct CampaignPlan {
   VectorLevel level;
   RunLog log;                    ///< of the whole; each run has a run.log of its own
   LiveReport* report = nullptr;  ///< to be renewed meanwhile; rank 0
+  /// Throws a DeckError when runs of this deck could not have what is asked of them beside `figures`. May be empty.
+  std::function<void(const Deck& deck, std::size_t experiment)> check_deck;
   /// Throws an Error when a complete run, in this folder, is not what was meant. On rank 0 of its group; may be empty.
   std::function<void(const std::string& folder, const StudyRun& run)> check_run;
 
@@ -50,6 +53,9 @@ struct CampaignEffort {
 /// directory. Its overrides are of the base deck.
 CampaignPlan plan_of(const StudyDeck& study, std::vector<RunFigure> figures, const std::string& deck_text,
                      const RunRequest& request);
+
+/// The text of a study as it is kept beside its runs: below a comment for each of the overrides that came with it.
+std::string copy_of_study(std::string_view text, const RunRequest& request);
 
 /// A line for a person.
 std::string effort_text(const CampaignEffort& effort, int ranks);

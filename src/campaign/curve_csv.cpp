@@ -1,6 +1,8 @@
 #include "campaign/curve_csv.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <fmt/core.h>
 
@@ -45,6 +47,11 @@ Columns columns_of(std::string_view line, const ObservableDeck& o, bool with_ste
           .y = column(names, o.y, place)};
 }
 
+/// NaN where the table says that there is no value, such as of a wall near which there is no grain.
+double value_or_nan(std::string_view field, const std::string& name, const FilePlace& place) {
+  return field == "nan" ? std::numeric_limits<double>::quiet_NaN() : parse_number(field, name, place);
+}
+
 std::vector<Row> rows_of(std::string_view text, const std::string& file, const ObservableDeck& o, bool with_step) {
   Columns columns;
   std::vector<Row> rows;
@@ -57,7 +64,7 @@ std::vector<Row> rows_of(std::string_view text, const std::string& file, const O
     require_fields(fields, columns.count, place);
     const double step = with_step ? parse_number(fields[columns.step], "step", place) : 0.0;
     rows.push_back({static_cast<std::int64_t>(step), parse_number(fields[columns.x], o.x, place),
-                    parse_number(fields[columns.y], o.y, place), place.line});
+                    value_or_nan(fields[columns.y], o.y, place), place.line});
   });
   return rows;
 }
@@ -132,6 +139,7 @@ RunCurve parse_run_curve(std::string_view text, const std::string& file, const O
   if (window != nullptr) rows = rows_within(rows, *window);
   RunCurve curve;
   for (const Row& row : rows) {
+    if (std::isnan(row.y)) continue;
     if (!curve.x.empty() && !(row.x > curve.x.back())) {
       fail_at({file, row.line},
               fmt::format("observable \"{}\": {} does not rise here; compare over a column that does, "

@@ -26,8 +26,8 @@ struct RunCurve {
 };
 
 /// The columns `observable.x` and `observable.y`. With `window` the rows of these steps alone, x less that of the first
-/// step, and a row at either end between those that stand there, where there are some. DeckError, with the place, when
-/// the table lacks a column, x does not rise or a value is no number.
+/// step, and a row at either end between those that stand there, where there are some. Rows whose y is `nan` are left
+/// out. DeckError, with the place, when the table lacks a column, x does not rise or a value is no number.
 RunCurve parse_run_curve(std::string_view text, const std::string& file, const ObservableDeck& observable,
                          const StepWindow* window);
 

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "campaign/curve_csv.h"
 #include "campaign/observables.h"
 #include "files/shared_file.h"
+#include "run/measurements/measurement.h"
 
 namespace repose {
 namespace {
@@ -57,6 +60,18 @@ std::vector<double> curve_of_run(const std::string& folder, const ObservableDeck
   const std::string summary = folder + "/summary.json";
   const StepWindow window = window_of(Json::parse(read_whole_file(summary), nullptr, false), summary, o);
   return at_places(parse_run_curve(text, file, o, &window), file, o);
+}
+
+/// The tables over time that runs of a deck write.
+std::vector<std::string> tables_of(const Deck& deck) {
+  std::vector<std::string> tables = {"series.csv"};
+  if (!deck.walls.empty()) tables.emplace_back("walls.csv");
+  for (const MeasurementKind& kind : measurement_kinds()) {
+    if (!kind.is_enabled(deck)) continue;
+    std::copy_if(kind.files.begin(), kind.files.end(), std::back_inserter(tables),
+                 [](const std::string& file) { return file.ends_with(".csv"); });
+  }
+  return tables;
 }
 
 /// The curves of all runs that have one; nothing for the others.
@@ -113,6 +128,25 @@ void read_curves(const Communicator& world, const CurvePath& path_of, Calibratio
     if (!o.is_curve()) continue;
     const std::string path = path_of(o);
     o.laboratory_curve = parse_curve_csv(read_shared_file(world, path), path);
+  }
+}
+
+void check_curves(const CalibrationDeck& deck, const Deck& run, std::size_t experiment) {
+  std::vector<std::string> phases;
+  for (const PhaseDeck& phase : run.phases) phases.push_back(phase.name);
+  const std::vector<std::string> tables = tables_of(run);
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const ObservableDeck& o : deck.observables) {
+    if (!o.is_curve() || o.experiment != experiment) continue;
+    if (!o.phase.empty() && !has(phases, o.phase)) {
+      throw DeckError(fmt::format("observable \"{}\": the deck has no phase \"{}\", but {}", o.figure, o.phase,
+                                  fmt::join(phases, ", ")));
+    }
+    if (has(tables, o.series)) continue;
+    throw DeckError(fmt::format("observable \"{}\": runs write no {}; their tables are {}", o.figure, o.series,
+                                fmt::join(tables, ", ")));
   }
 }
 

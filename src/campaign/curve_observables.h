@@ -22,6 +22,9 @@ void read_curves(const Communicator& world, const CurvePath& path_of, Calibratio
 /// Where the curve of an observable is kept beside the runs, for estimates that come later.
 std::string curve_copy(const ObservableDeck& observable);
 
+/// DeckError when runs of a deck have no such phase, or write no such table, as the curves of an experiment name.
+void check_curves(const CalibrationDeck& deck, const Deck& run, std::size_t experiment);
+
 /// DeckError when the run in a folder is complete and has no curve at the laboratory's places.
 void check_curves(const CalibrationDeck& deck, const std::string& folder, const StudyRun& run);
 

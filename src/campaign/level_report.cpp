@@ -25,21 +25,17 @@ using Json = nlohmann::ordered_json;
 struct LevelRuns {
   std::vector<StudyRun> runs;
   std::vector<RunRecord> records;
-  std::size_t points = 0;
 };
 
 /// Those of the levels from `first` to `last`.
 LevelRuns runs_of_levels(std::size_t first, std::size_t last, std::span<const StudyRun> runs,
                          std::span<const RunRecord> records) {
   LevelRuns own;
-  std::set<std::vector<double>> points;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].level < first || runs[i].level > last) continue;
     own.runs.push_back(runs[i]);
     own.records.push_back(records[i]);
-    points.insert(runs[i].values);
   }
-  own.points = points.size();
   return own;
 }
 
@@ -47,12 +43,28 @@ LevelRuns runs_of_level(std::size_t level, std::span<const StudyRun> runs, std::
   return runs_of_levels(level, level, runs, records);
 }
 
-std::ptrdiff_t points_done(const LevelRuns& level) {
+/// Points of a level with a run for which `is_counted(run, record)` holds.
+template <class IsCounted>
+std::ptrdiff_t points_where(const LevelRuns& level, const IsCounted& is_counted) {
   std::set<std::vector<double>> points;
   for (std::size_t i = 0; i < level.runs.size(); ++i) {
-    if (is_complete(level.records[i].state)) points.insert(level.runs[i].values);
+    if (is_counted(level.runs[i], level.records[i])) points.insert(level.runs[i].values);
   }
   return std::ssize(points);
+}
+
+std::ptrdiff_t points_done(const LevelRuns& level) {
+  return points_where(level, [](const StudyRun&, const RunRecord& record) { return is_complete(record.state); });
+}
+
+bool has_ended(const RunRecord& record) { return record.state != RunState::waiting; }
+
+std::ptrdiff_t points_ended(const LevelRuns& level) {
+  return points_where(level, [](const StudyRun&, const RunRecord& record) { return has_ended(record); });
+}
+
+std::ptrdiff_t runs_ended(const LevelRuns& level) {
+  return std::count_if(level.records.begin(), level.records.end(), has_ended);
 }
 
 /// Whether a record has a value of observable `k` of the deck.
@@ -69,12 +81,9 @@ bool has_value(const CalibrationDeck& deck, const RunRecord& record, std::size_t
 
 /// Points of a level at which an observable has a value.
 std::ptrdiff_t points_with_value(const CalibrationDeck& deck, const LevelRuns& level, std::size_t k) {
-  std::set<std::vector<double>> points;
-  for (std::size_t i = 0; i < level.runs.size(); ++i) {
-    const bool is_asked = level.runs[i].experiment == deck.observables[k].experiment;
-    if (is_asked && has_value(deck, level.records[i], k)) points.insert(level.runs[i].values);
-  }
-  return std::ssize(points);
+  return points_where(level, [&](const StudyRun& run, const RunRecord& record) {
+    return run.experiment == deck.observables[k].experiment && has_value(deck, record, k);
+  });
 }
 
 OtherEstimate other_estimate(std::string what, Misfit misfit, double confidence) {
@@ -202,8 +211,8 @@ Json levels_json(const CalibrationDeck& deck, std::span<const StudyRun> runs, st
   for (std::size_t level = 0; level < deck.levels.size(); ++level) {
     const LevelRuns own = runs_of_level(level, runs, records);
     list.push_back({{"name", deck.levels[level].name},
-                    {"points", own.points},
-                    {"runs", own.runs.size()},
+                    {"points", points_ended(own)},
+                    {"runs", runs_ended(own)},
                     {"core_hours", core_hours(deck, own.runs, own.records)}});
   }
   return list;
@@ -215,8 +224,8 @@ std::string levels_text(const CalibrationDeck& deck, std::span<const StudyRun> r
   for (std::size_t level = 0; level < deck.levels.size(); ++level) {
     const LevelRuns own = runs_of_level(level, runs, records);
     text += fmt::format("level {:20} {} points, {} runs, {:.3g} core-hours at {:.3g} particle-steps/s\n",
-                        deck.levels[level].name, own.points, own.runs.size(), core_hours(deck, own.runs, own.records),
-                        deck.adaptive.core_speed);
+                        deck.levels[level].name, points_ended(own), runs_ended(own),
+                        core_hours(deck, own.runs, own.records), deck.adaptive.core_speed);
   }
   return text;
 }

@@ -66,7 +66,7 @@ OtherEstimate without_discrepancy(const CalibrationDeck& deck, std::span<const S
                                   std::span<const RunRecord> records);
 bool has_discrepancy(const CalibrationDeck& deck);
 
-/// Of each level its points, runs and work in core-hours.
+/// Of each level what has been run: points, runs and work in core-hours.
 nlohmann::ordered_json levels_json(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                                    std::span<const RunRecord> records);
 std::string levels_text(const CalibrationDeck& deck, std::span<const StudyRun> runs,

@@ -178,7 +178,7 @@ std::string sensitivity_file(const Communicator& world, const RunRequest& reques
   const ResultsDirectory directory(world, request.output, ResultsOf::sensitivity);
   agree_after_root(world, [&] {
     check_campaign(plan, runs);
-    write_text_file(request.output + "/sensitivity.toml", text);
+    write_text_file(request.output + "/sensitivity.toml", copy_of_study(text, request));
   });
   CampaignEffort effort;
   const std::vector<RunRecord> records = run_campaign(world, plan, runs, stop_asked, effort);

@@ -1,15 +1,17 @@
 #include "campaign/validate.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "campaign/figure_display.h"
 #include "campaign/planned_work.h"
 #include "comm/agreement.h"
+#include "deck/read_deck.h"
+#include "deck/resolved_deck.h"
 #include "deck/validation_deck.h"
 #include "files/atomic_file.h"
 #include "files/directory.h"
@@ -17,6 +19,7 @@
 #include "files/results_directory.h"
 #include "files/shared_file.h"
 #include "output/summary.h"
+#include "run/finished_run.h"
 #include "run/run_plan.h"
 #include "run/summary_figures.h"
 
@@ -24,35 +27,6 @@ namespace repose {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// How a figure is shown, from the unit at the end of its key.
-struct Display {
-  std::string name;  ///< "discharged mass, g"
-  double factor;
-  bool is_count;
-};
-
-Display display_of(const std::string& figure) {
-  struct Unit {
-    std::string_view ending;  ///< the longer before what it ends with
-    const char* shown;
-    double factor;
-  };
-  constexpr Unit units[] = {{"_kg_m3", ", kg/m3", 1.0}, {"_kg_s", ", g/s", 1e3}, {"_kg", ", g", 1e3},
-                            {"_deg", ", degrees", 1.0}, {"_m", ", mm", 1e3},     {"_s", ", s", 1.0}};
-  std::string name = figure;
-  std::string shown;
-  double factor = 1.0;
-  for (const Unit& unit : units) {
-    if (!name.ends_with(unit.ending)) continue;
-    name.erase(name.size() - unit.ending.size());
-    shown = unit.shown;
-    factor = unit.factor;
-    break;
-  }
-  for (char& c : name) c = c == '_' || c == '.' ? ' ' : c;
-  return {name + shown, factor, shown.empty()};
-}
 
 Json comparison_json(const ComparisonDeck& c, const Json& summary) {
   return {{"figure", c.figure},
@@ -63,7 +37,7 @@ Json comparison_json(const ComparisonDeck& c, const Json& summary) {
           {"published", json_number(c.published)}};
 }
 
-std::string cell(const Json& value, const Json& error, const Display& display) {
+std::string cell(const Json& value, const Json& error, const FigureDisplay& display) {
   if (value.is_null()) return "none";
   const auto shown = [&](const Json& v, int digits) {
     const double scaled = display.factor * v.get<double>();
@@ -83,7 +57,7 @@ std::string table_of(const ValidationDeck& deck, const Json& cases) {
   text += "|---|---|---|---|---|---|---|\n";
   for (const Json& one : cases) {
     for (const Json& c : one["comparisons"]) {
-      const Display display = display_of(c["figure"].get<std::string>());
+      const FigureDisplay display = display_of(c["figure"].get<std::string>());
       text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", one["name"].get<std::string>(), display.name,
                           cell(c["laboratory"], c["deviation"], display), cell(c["published"], nullptr, display),
                           difference(c["published"], c["laboratory"]), cell(c["here"], c["error"], display),
@@ -99,19 +73,31 @@ std::vector<std::string> overrides_of(const ValidationCaseDeck& one, const RunRe
   return overrides;
 }
 
-/// Runs the case, unless that is done already, and compares.
-Json run_case(const Communicator& comm, const ValidationCaseDeck& one, const RunRequest& request,
-              const StopAsked& stop_asked) {
+RunRequest run_of_case(const ValidationCaseDeck& one, const RunRequest& request) {
   RunRequest run = request;
   run.deck = path_beside(request.deck, one.deck);
   run.overrides = overrides_of(one, request);
   run.output = fmt::format("{}/{}", request.output, one.name);
   run.restart = true;
-  if (comm.is_root()) request.log.say("case " + one.name);
-  run_file(comm, run, stop_asked);
+  return run;
+}
+
+/// Collective. Whether there are complete results of the case as it is now, with all that is compared.
+bool is_done(const Communicator& comm, const ValidationCaseDeck& one, const RunRequest& run) {
+  try {
+    const Deck deck = read_deck(read_shared_file(comm, run.deck), run.deck, run.overrides);
+    for (const ComparisonDeck& c : one.comparisons) require_figure(deck, c.figure);
+    return is_finished(comm, run.output, resolved_deck(deck));
+  } catch (const Error&) {  // on all ranks alike: the case is wrong, or its results are damaged or of another deck
+    return false;
+  }
+}
+
+/// Collective. A case whose results are complete beside the laboratory.
+Json compared(const Communicator& comm, const ValidationCaseDeck& one, const std::string& directory) {
   Json result;
   agree_after_root(comm, [&] {
-    const Json summary = Json::parse(read_whole_file(run.output + "/summary.json"));
+    const Json summary = Json::parse(read_whole_file(directory + "/summary.json"));
     Json comparisons = Json::array();
     for (const ComparisonDeck& c : one.comparisons) comparisons.push_back(comparison_json(c, summary));
     result = {{"name", one.name},
@@ -125,12 +111,13 @@ Json run_case(const Communicator& comm, const ValidationCaseDeck& one, const Run
   return result;
 }
 
-/// Leaves the cases with these names, if any are given.
-void choose_cases(const std::vector<std::string>& only, const std::string& path, ValidationDeck& deck) {
-  if (only.empty()) return;
-  const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
+bool is_in(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Of the deck the cases with these names, if any are given.
+ValidationDeck chosen_cases(const std::vector<std::string>& only, const std::string& path, ValidationDeck deck) {
+  if (only.empty()) return deck;
   std::vector<std::string> names;
   for (const ValidationCaseDeck& one : deck.cases) names.push_back(one.name);
   for (const std::string& name : only) {
@@ -138,6 +125,25 @@ void choose_cases(const std::vector<std::string>& only, const std::string& path,
     throw DeckError(fmt::format("--case {}: {} has no such case, but {}", name, path, fmt::join(names, ", ")));
   }
   std::erase_if(deck.cases, [&](const ValidationCaseDeck& one) { return !is_in(only, one.name); });
+  return deck;
+}
+
+/// Collective. Runs the chosen cases, unless that is done already, and compares them and those others whose results are
+/// complete.
+Json compared_cases(const Communicator& comm, const ValidationDeck& deck, const std::vector<std::string>& only,
+                    const RunRequest& request, const StopAsked& stop_asked) {
+  Json cases = Json::array();
+  for (const ValidationCaseDeck& one : deck.cases) {
+    const RunRequest run = run_of_case(one, request);
+    if (only.empty() || is_in(only, one.name)) {
+      if (comm.is_root()) request.log.say("case " + one.name);
+      run_file(comm, run, stop_asked);
+    } else if (!is_done(comm, one, run)) {
+      continue;
+    }
+    cases.push_back(compared(comm, one, run.output));
+  }
+  return cases;
 }
 
 /// The cases as runs of a plan, each with the figures it is compared by.
@@ -165,16 +171,15 @@ PlannedCases planned_cases(const ValidationDeck& deck, const RunRequest& request
 
 std::string validate_file(const Communicator& comm, const RunRequest& request, const std::vector<std::string>& only,
                           const StopAsked& stop_asked) {
-  ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
-  choose_cases(only, request.deck, deck);
+  const ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
+  const ValidationDeck chosen = chosen_cases(only, request.deck, deck);
   agree_after_root(comm, [&] {
-    const PlannedCases planned = planned_cases(deck, request);
+    const PlannedCases planned = planned_cases(chosen, request);
     check_campaign(planned.plan, planned.runs);
     create_output_directory(request.output);
     refuse_other_results(request.output, ResultsOf::validation);
   });
-  Json cases = Json::array();
-  for (const ValidationCaseDeck& one : deck.cases) cases.push_back(run_case(comm, one, request, stop_asked));
+  const Json cases = compared_cases(comm, deck, only, request, stop_asked);
   std::string table;
   agree_after_root(comm, [&] {
     table = table_of(deck, cases);

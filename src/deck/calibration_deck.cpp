@@ -172,8 +172,11 @@ void check_observable(const ObservableDeck& o, const std::string& section, DeckE
   if (o.discrepancy > 0.0 && o.discrepancy_share > 0.0) {
     errors.add(section + ".discrepancy", "\"discrepancy\" and \"discrepancy_share\" exclude each other");
   }
-  if (o.scale != ObservableScale::linear && !(o.laboratory > 0.0)) {
-    errors.add(section + ".laboratory", "must be above 0 on this scale");
+  if (o.scale == ObservableScale::logarithm && !(o.laboratory > 0.0)) {
+    errors.add(section + ".laboratory", "\"laboratory\" must be above 0 on the scale of logarithms");
+  }
+  if (o.scale == ObservableScale::square_root && !(o.laboratory >= 0.0)) {
+    errors.add(section + ".laboratory", "\"laboratory\" must be at least 0 on the scale of square roots");
   }
   if (!o.is_curve()) return;
   check_plain_name(o.name, section + ".name", errors);

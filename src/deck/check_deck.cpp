@@ -178,6 +178,13 @@ void check_compression(const CompressionDeck& c, const Deck& deck, DeckErrors& e
     errors.add(section + ".lid", fmt::format("wall \"{}\" has no [wall.servo] that presses", c.lid));
   }
   check_phase_names(section, {c.load_phase, c.unload_phase}, deck, errors);
+  const auto place = [&](const std::string& name) {
+    return std::find_if(deck.phases.begin(), deck.phases.end(), [&](const PhaseDeck& p) { return p.name == name; });
+  };
+  if (place(c.load_phase) != deck.phases.end() && place(c.unload_phase) <= place(c.load_phase)) {
+    errors.add(section + ".unload_phase",
+               fmt::format("phase \"{}\" does not come after \"load_phase\" = \"{}\"", c.unload_phase, c.load_phase));
+  }
 }
 
 void check_measurement(const Deck& deck, DeckErrors& errors) {

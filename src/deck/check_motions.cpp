@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -67,11 +68,33 @@ void check_blade_wall(const std::string& key, const WallDeck& wall, DeckErrors& 
   }
 }
 
+bool is_alike(const MotionDeck& a, const MotionDeck& b) {
+  const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return a.type == b.type && a.velocity == b.velocity && a.amplitude == b.amplitude && same(a.frequency, b.frequency) &&
+         a.axis_origin == b.axis_origin && a.axis_direction == b.axis_direction &&
+         same(a.angular_velocity, b.angular_velocity) && a.phases == b.phases;
+}
+
+/// Whether two walls are parts of one body.
+bool move_together(const WallDeck& a, const WallDeck& b) {
+  const auto leader = [](const WallDeck& wall) { return wall.moves_with.empty() ? wall.name : wall.moves_with; };
+  if (leader(a) == leader(b)) return true;
+  return !a.servo.enabled && !b.servo.enabled && a.moves_with.empty() && b.moves_with.empty() &&
+         std::equal(a.motions.begin(), a.motions.end(), b.motions.begin(), b.motions.end(), is_alike);
+}
+
 void check_flow_energy(const FlowEnergyDeck& f, const Deck& deck, DeckErrors& errors) {
   const std::string section = "measurement.flow_energy";
   const auto walls = find_walls(section + ".walls", f.walls, "the blade", deck, errors);
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    if (walls[k] != nullptr) check_blade_wall(fmt::format("{}.walls.{}", section, k), *walls[k], errors);
+    if (walls[k] == nullptr) continue;
+    const std::string key = fmt::format("{}.walls.{}", section, k);
+    check_blade_wall(key, *walls[k], errors);
+    if (walls[0] == nullptr || move_together(*walls[0], *walls[k])) continue;
+    errors.add(key,
+               fmt::format("wall \"{}\" does not move as \"{}\" does; a blade is one body: let it move with that one "
+                           "(\"moves_with\")",
+                           walls[k]->name, walls[0]->name));
   }
   check_phase_names(section, {f.phase}, deck, errors);
 }

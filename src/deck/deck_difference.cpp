@@ -8,6 +8,9 @@
 #include <toml++/toml.h>
 
 #include "base/error.h"
+#include "deck/overrides.h"
+#include "deck/read_deck.h"
+#include "deck/resolved_deck.h"
 
 namespace repose {
 namespace {
@@ -49,7 +52,42 @@ Values values_of(const std::string& deck) {
   }
 }
 
+/// As this version reads and writes it.
+std::string as_read(const std::string& deck) { return resolved_deck(read_deck(deck, "deck.resolved.toml", {})); }
+
+std::string text_of_table(const toml::table& table) {
+  std::ostringstream text;
+  text << table;
+  return text.str();
+}
+
+/// Whether a deck that does not say this key, such as "particles[0].spacing", is the same.
+bool is_default(const std::string& deck, const std::string& key) {
+  toml::table table = toml::parse(deck);
+  const std::size_t dot = key.rfind('.');
+  toml::table* section = dot == std::string::npos ? &table : table.at_path(key.substr(0, dot)).as_table();
+  if (section == nullptr) return false;
+  section->erase(dot == std::string::npos ? key : key.substr(dot + 1));
+  try {
+    return deck_differences(deck, as_read(text_of_table(table))).empty();
+  } catch (const DeckError&) {
+    return false;  // it must be said
+  }
+}
+
 }  // namespace
+
+std::vector<DeckDifference> deck_differences_beyond(const std::vector<std::string>& overrides,
+                                                    const std::string& before, const std::string& now) {
+  const std::string old_deck = as_read(before);
+  const std::string new_deck = as_read(now);
+  toml::table table = toml::parse(old_deck);
+  apply_overrides(table, overrides);
+  std::vector<DeckDifference> differences = deck_differences(text_of_table(table), new_deck);
+  std::erase_if(differences,
+                [&](const DeckDifference& d) { return is_default(old_deck, d.key) && is_default(new_deck, d.key); });
+  return differences;
+}
 
 std::vector<DeckDifference> deck_differences(const std::string& before, const std::string& now) {
   Values old_values = values_of(before);

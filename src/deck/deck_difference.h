@@ -15,4 +15,9 @@ struct DeckDifference {
 /// The keys in which two resolved decks (resolved_deck.h) differ, in alphabetical order. DeckError when one is no TOML.
 std::vector<DeckDifference> deck_differences(const std::string& before, const std::string& now);
 
+/// The same of a resolved deck with overrides and another one, both as this version reads them, but for keys that both
+/// leave at a default which follows from others, such as a spacing from the diameter. DeckError when one is no deck.
+std::vector<DeckDifference> deck_differences_beyond(const std::vector<std::string>& overrides,
+                                                    const std::string& before, const std::string& now);
+
 }  // namespace repose

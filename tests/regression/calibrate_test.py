@@ -8,6 +8,7 @@ import csv
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -221,6 +222,13 @@ class Calibrate(FolderTest):
         self.assertEqual(done.returncode, 4, done.stdout)
         self.assertIn("another run is at work in this directory", done.stderr)
 
+    def test_what_was_set_stays_with_the_runs(self):
+        self.calibrate(self.write(LINE + MASS, seeds=1), "--set", "output.series_interval=2 ms")
+        self.assertTrue(self.read("calibration.toml").startswith("# --set output.series_interval=2 ms\n"))
+        self.assertIn("--set &#x27;output.series_interval=2 ms&#x27;", self.report(self.output))
+        done = self.program.call("estimate", self.output)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_another_base_deck_in_the_same_directory_is_refused(self):
         self.calibrate(self.write(GRID, seeds=1))
         done = self.call("calibrate", self.write(GRID, sets=[*REDUCED, "pair.1.restitution=0.3"], seeds=1))
@@ -300,6 +308,7 @@ class Calibrate(FolderTest):
         done = self.program.call("estimate", outputs[0], "--deck", self.write(known + MASS + RATE))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotIn("posterior", self.read("estimate.json", outputs[0]))
+        self.assertFalse(os.path.exists(os.path.join(outputs[0], "posterior.csv")))
 
     def test_a_search_over_four_parameters(self):
         """With fewer observables than parameters, and a design in place of a grid."""
@@ -499,6 +508,29 @@ class Calibrate(FolderTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         return self.read("report.html", output)
 
+    def test_an_estimate_takes_runs_of_one_deck_within_the_ranges(self):
+        self.calibrate(self.write(LINE + MASS))
+        narrow = self.write(SLIDING + "values = [0.1, 0.25, 0.4, 0.55]\n" + MASS)
+        done = self.program.call("estimate", self.output, "--deck", narrow)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("runs beyond the ranges of the parameters are left out: 2\n8 runs: 8 done"),
+                        done.stdout)
+        deck = os.path.join(self.output, "runs", "sliding=0.4,seed=2", "deck.resolved.toml")
+        with open(deck) as file:
+            text = file.read()
+        with open(deck, "w") as file:
+            file.write(text.replace("mass = 3e-05", "mass = 4e-05"))
+        done = self.program.call("estimate", self.output)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("sliding=0.1,seed=1 and sliding=0.4,seed=2 are of different decks: particles[0].mass: 3e-05 in the one, "
+                      "4e-05 in the other", done.stderr)
+
+    def test_defaults_that_follow_from_a_parameter_are_of_one_deck(self):
+        diameter = '[[parameter]]\nname = "diameter"\nkey = "particles.0.diameter"\nmin = 4.2e-4\nmax = 5e-4\npoints = 4\n'
+        self.calibrate(self.write(diameter + MASS, seeds=1))
+        done = self.program.call("estimate", self.output)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_wrong_curves_are_refused(self):
         path = self.write(LINE + CURVE, sets=CLOSE_ROWS)
 
@@ -514,6 +546,10 @@ class Calibrate(FolderTest):
         good = "x,y,deviation\n0.01,2e-9,1e-9\n0.02,2e-9,1e-9\n"
         wrong(good, "laboratory", self.write(LINE + CURVE + "laboratory = 3\n"))
         wrong(good, "names a folder", self.write(LINE + CURVE.replace('"spin"', '"a/b"')))
+        wrong(good, 'has no phase "drain", but settle, discharge',
+              self.write(LINE + CURVE.replace('"discharge"', '"drain"'), sets=CLOSE_ROWS))
+        wrong(good, "runs write no serie.csv; their tables are series.csv, walls.csv",
+              self.write(LINE + CURVE.replace('"series.csv"', '"serie.csv"'), sets=CLOSE_ROWS))
 
     def test_curves_that_the_runs_do_not_have(self):
         """Said when the first of them is complete: what is run is kept."""
@@ -528,11 +564,15 @@ class Calibrate(FolderTest):
         wrong("0.01,2e-9,1e-9\n0.2,2e-9,1e-9\n", "has x from 0.01 to 0.2, but time_s of ")
         wrong(good, 'did you mean "rotational_energy_J"?', CURVE.replace("rotational_energy_J", "rotation_energy_J"))
         wrong(good, "series.csv:", CURVE.replace('x = "time_s"', 'x = "discharged_mass_kg"'))
-        wrong(good, 'has no phase "drain", but settle, discharge', CURVE.replace('"discharge"', '"drain"'))
-        wrong(good, "runs write no serie.csv", CURVE.replace('"series.csv"', '"serie.csv"'))
         with open(self.path("spin.csv"), "w") as file:
             file.write("x,y,deviation\n" + good)
-        self.assertIn("0 runs in", self.calibrate(self.write(LINE + CURVE, sets=CLOSE_ROWS)))
+        says = self.calibrate(self.write(LINE + CURVE, sets=CLOSE_ROWS))
+        self.assertLess(int(re.search(r"(\d+) runs in", says)[1]), 10)  # of 10
+        for message, curve in (('has no phase "drain", but settle, discharge', CURVE.replace('"discharge"', '"drain"')),
+                               ("runs write no serie.csv; their tables are", CURVE.replace('"series.csv"', '"serie.csv"'))):
+            done = self.program.call("estimate", self.output, "--deck", self.write(LINE + curve, sets=CLOSE_ROWS))
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(message, done.stderr)
 
     def test_several_tests_in_one_calibration(self):
         outputs = [self.path(name) for name in ("one", "three", "low", "high")]

@@ -74,6 +74,14 @@ class Validate(FolderTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([line.split("|")[1].strip() for line in done.stdout.splitlines()[2::2]], ["one", "three"])
         self.assertFalse(os.path.exists(os.path.join(self.output, "two")))
+        done = self.validate(path, "--case", "two")  # beside those that are complete
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([line.split("|")[1].strip() for line in done.stdout.splitlines()[2::2]], ["one", "two", "three"])
+        path = self.write({"name": "one", "set": [*REDUCED, "run.seed=9"]}, {"name": "two"}, {"name": "three"})
+        done = self.validate(path, "--case", "two")  # what is there of "one" is of another deck
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(self.output, "validation.json")) as file:
+            self.assertEqual([case["name"] for case in json.load(file)["cases"]], ["two", "three"])
 
     def test_an_interrupted_case_goes_on(self):
         longer = [*REDUCED, "phase.discharge.max_time=2", "phase.discharge.min_time=2"]  # some seconds of wall time

@@ -117,6 +117,17 @@ TEST(LocalMinima, AreTheCrossingsOfKnownCurves) {
   EXPECT_GT(std::fabs(minima[0].point[0] - minima[1].point[0]), root);
 }
 
+TEST(Descend, AsksForNothingBeyondTheBox) {
+  const Residuals within = [](const Vector& x) -> Vector {
+    EXPECT_GE(x.minCoeff(), 0.0);
+    EXPECT_LE(x.maxCoeff(), 1.0);
+    return vector_of({std::sqrt(x[0]) - 0.5, 3.0 * (x[1] - 0.3)});
+  };
+  const LeastSquares low = descend(within, vector_of({0.0, 1.0}));
+  EXPECT_NEAR(low.point[0], 0.25, 1e-6);
+  EXPECT_NEAR(low.point[1], 0.3, 1e-6);
+}
+
 TEST(Descend, StaysInTheBoxAndHoldsWhatIsHeld) {
   const Residuals beyond = [](const Vector& x) -> Vector { return vector_of({x[0] - 1.4, 3.0 * (x[1] - 0.3)}); };
   LeastSquares low = descend(beyond, vector_of({0.2, 0.9}));

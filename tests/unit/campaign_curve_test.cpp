@@ -65,6 +65,16 @@ TEST(RunCurve, IsTakenByNames) {
             "does, or within a phase");
 }
 
+TEST(RunCurve, RowsWithoutAValueAreLeftOut) {
+  const std::string text = "step,time_s,discharged_mass_kg\n0,0,nan\n100,1,2\n200,2,nan\n300,3,4\n400,4,nan\n";
+  const RunCurve curve = parse_run_curve(text, "walls.csv", drain(), nullptr);
+  EXPECT_EQ(curve.x, (std::vector<double>{1, 3}));
+  EXPECT_EQ(curve.y, (std::vector<double>{2, 4}));
+  EXPECT_EQ(
+      deck_error([&] { parse_run_curve("step,time_s,discharged_mass_kg\n0,nan,1\n", "a.csv", drain(), nullptr); }),
+      "a.csv:2: time_s = nan is not finite; write a number such as 4.4e-4");
+}
+
 TEST(RunCurve, WithinAPhaseItBeginsAtZero) {
   const StepWindow window = {150, 350};
   const RunCurve curve = parse_run_curve(series, "series.csv", drain(), &window);

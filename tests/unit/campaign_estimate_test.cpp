@@ -94,6 +94,22 @@ TEST(EstimateReport, SaysWhyThereIsNone) {
       << message;
 }
 
+TEST(CalibrationDeck, NoneIsACountButHasNoLogarithm) {
+  const std::string count = parameter("x") + observable("scattering.area_3.count", 0, 1) + "scale = ";
+  EXPECT_EQ(read(count + "\"square_root\"\n").observables[0].laboratory, 0.0);
+  EXPECT_NE(deck_error([&] { read(count + "\"logarithm\"\n"); }).find("\"laboratory\" must be above 0"),
+            std::string::npos);
+}
+
+TEST(EstimateReport, CountsWhatHasBeenRunOfEachLevel) {
+  const CalibrationDeck deck = read(parameter("x") + observable("f", 0.5, 0.05) + levels);
+  Done done(deck, [](const StudyRun& run) -> Figures { return {run.values[0]}; });
+  done.records.back() = {};  // waits
+  const std::string text = text_of(deck, done);
+  EXPECT_NE(text.find("level soft                 5 points, 5 runs, "), std::string::npos) << text;
+  EXPECT_NE(text.find("level hard                 4 points, 4 runs, "), std::string::npos) << text;
+}
+
 // All five points of the level are done, but two were plugged.
 TEST(KnownLevels, CountPointsWithAValueOfEachObservable) {
   const CalibrationDeck deck =

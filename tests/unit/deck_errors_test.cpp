@@ -601,6 +601,9 @@ TEST(DeckErrors, ShearCellsAndBedsUnderLids) {
   EXPECT_EQ(message_of(example_deck, {lid, bed("load_phase='settle', unload_phase='flow'")}), "no error");
   says({bed("load_phase='settle', unload_phase='flow'")}, "wall \"floor\" has no [wall.servo] that presses");
   says({lid, bed("load_phase='settle', unload_phase='flw'")}, "unknown phase \"flw\"");
+  says({lid, bed("load_phase='flow', unload_phase='settle'")},
+       "phase \"settle\" does not come after \"load_phase\" = \"flow\"");
+  says({lid, bed("load_phase='flow', unload_phase='flow'")}, "phase \"flow\" does not come after");
 }
 
 TEST(DeckErrors, FlowEnergyNeedsWallsThatMove) {
@@ -619,6 +622,12 @@ TEST(DeckErrors, FlowEnergyNeedsWallsThatMove) {
   EXPECT_EQ(message("[\"tube\"]", "flow", {"wall.1.motion=[{type='conveyor', velocity=[1, 0, 0]}]"}),
             "deck.toml:82:10: wall \"tube\" is a conveyor, whose work is not measured; name walls that move "
             "themselves");
+  const std::string both = "[\"tube\", \"gate\"]";
+  EXPECT_EQ(message(both, "flow", {turns, "wall.2.motion=[{type='rotation', angular_velocity=1}]"}), "no error");
+  EXPECT_EQ(message(both, "flow", {turns, "wall.2.moves_with=tube"}), "no error");
+  EXPECT_EQ(message(both, "flow", {turns, "wall.2.motion=[{type='rotation', angular_velocity=2}]"}),
+            "deck.toml:82:18: wall \"gate\" does not move as \"tube\" does; a blade is one body: let it move with that "
+            "one (\"moves_with\")");
 }
 
 TEST(DeckErrors, TiltingBox) {

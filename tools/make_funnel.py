@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Writes a round funnel, a cylinder above a cone, as ASCII STL in mm to the standard output.
+"""Writes a round funnel, a cylinder above a cone, as ASCII STL in mm to the standard output; by default input/hopper.stl."""
 
-Usage: make_funnel.py [FACETS [R_TOP R_OUTLET Z_TOP Z_EDGE Z_OUTLET]]
-Default: 24 12 5 60 20 0, which is input/hopper.stl.
-"""
-
+import argparse
 import math
-import sys
+
+# name, default and meaning of the numbers
+NUMBERS = (("facets", 24, "around the axis"), ("r_top", 12.0, "radius of the cylinder, mm"), ("r_outlet", 5.0, "radius of the outlet, mm"),
+           ("z_top", 60.0, "height of the upper rim, mm"), ("z_edge", 20.0, "height at which the cone begins, mm"),
+           ("z_outlet", 0.0, "height of the outlet, mm"))
 
 
 def ring(facets, radius, z):
@@ -23,10 +24,12 @@ def band(low, high):
 
 
 def main():
-    given = [float(a) for a in sys.argv[1:]]
-    defaults = [24, 12.0, 5.0, 60.0, 20.0, 0.0]
-    facets, r_top, r_outlet, z_top, z_edge, z_outlet = given + defaults[len(given):]
-    rings = [ring(int(facets), r, z) for r, z in ((r_outlet, z_outlet), (r_top, z_edge), (r_top, z_top))]
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name, default, meaning in NUMBERS:
+        parser.add_argument(name, nargs="?", type=type(default), default=default, help=f"{meaning}; {default:g}")
+    given = parser.parse_args()
+    rings = [ring(given.facets, r, z)
+             for r, z in ((given.r_outlet, given.z_outlet), (given.r_top, given.z_edge), (given.r_top, given.z_top))]
     print("solid funnel")
     for low, high in zip(rings, rings[1:]):
         for corners in band(low, high):

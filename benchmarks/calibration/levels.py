@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """What a search over levels of a model costs against one on the level that counts alone; see README.md."""
 
-import argparse
 import json
 import os
 import pathlib
@@ -13,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "tests" / "regression")]
 from laboratories import FRICTION, misfit_at  # noqa: E402
 import cheap_levels  # noqa: E402
-from report import print_table, save  # noqa: E402  (and where the package is)
+from report import print_table, save, usual_options  # noqa: E402  (and where the package is)
 import repose  # noqa: E402
 
 BASE = ROOT / "input" / "discharge_mini.toml"
@@ -98,10 +97,8 @@ def compare(ways):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default=str(ROOT / "build" / "ci" / "src" / "repose"))
-    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "levels")
-    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "calibration")
+    parser = usual_options(__doc__, "calibration")
+    parser.set_defaults(work=ROOT / "build" / "benchmarks" / "levels")
     parser.add_argument("--ranks", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--half-width", type=float, default=0.08, help="of the widest interval, at which a search over levels ends")
     parser.add_argument("--cheap", action="store_true", help="compare cheap levels at nine points instead")

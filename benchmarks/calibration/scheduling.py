@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 """How well groups of ranks share a grid of uneven runs; see README.md."""
 
-import argparse
-import json
-import os
 import pathlib
 import re
 import shutil
 import statistics
 import subprocess
+import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from report import ROOT, save, usual_options  # noqa: E402  (and where the package is)
+import repose  # noqa: E402
 
 # Fills of 0.05 to 0.5 g, the smallest first in the deck: runs that differ by a factor of ten or more.
 DECK = """
@@ -53,11 +53,10 @@ def calibrate(options, ranks):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default=str(ROOT / "build" / "ci" / "src" / "repose"))
-    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "calibration")
+    parser = usual_options(__doc__, "calibration")
     parser.add_argument("--pairs", type=int, default=3, help="of one rank and two, in turn")
     options = parser.parse_args()
+    options.program = options.program or repose.find_program()
     options.work.mkdir(parents=True, exist_ok=True)
     ratios, idle = [], []
     for pair in range(options.pairs):
@@ -68,8 +67,7 @@ def main():
         print(f"pair {pair + 1}: {alone:.1f} s on one rank, {together:.1f} s on two ({ratios[-1]:.3f}), idle {share:.1f} %",
               flush=True)
     print(f"median {statistics.median(ratios):.3f} of the time, idle {statistics.median(idle):.1f} %")
-    (options.work / "scheduling.json").write_text(json.dumps({"ratios": ratios, "idle_percent": idle,
-                                                              "cores": os.cpu_count()}) + "\n")
+    save(options.results / "scheduling.json", ratios=ratios, idle_percent=idle)
 
 
 if __name__ == "__main__":

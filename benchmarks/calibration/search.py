@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """How many runs a search saves against a full grid of the same confidence; see README.md."""
 
-import argparse
 import os
 import pathlib
 import sys
@@ -9,7 +8,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "tests" / "regression")]
 from laboratories import FRICTION  # noqa: E402
-from report import save  # noqa: E402  (and where the package is)
+from report import save, usual_options  # noqa: E402  (and where the package is)
 import repose  # noqa: E402
 
 BASE = ROOT / "input" / "discharge_quick.toml"
@@ -50,10 +49,8 @@ def compare(calibrations, number, laboratory):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default=str(ROOT / "build" / "ci" / "src" / "repose"))
-    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "search")
-    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "calibration")
+    parser = usual_options(__doc__, "calibration")
+    parser.set_defaults(work=ROOT / "build" / "benchmarks" / "search")
     parser.add_argument("--ranks", type=int, default=len(os.sched_getaffinity(0)))
     options = parser.parse_args()
     calibrations = Calibrations(options)

@@ -5,7 +5,8 @@ import tomllib
 
 import numpy as np
 
-from inputs import FOLDER, drum_triangles, from_snapshot, grains, repose as package, turned, with_ball, write_data, write_stl
+from inputs import FOLDER, drum_triangles, from_snapshot, grains, repose as package, with_ball, write_data
+from liggghts_files import turned, write_stl
 
 sys.path.insert(0, str(FOLDER.parent / "throughput"))
 import measure  # noqa: E402

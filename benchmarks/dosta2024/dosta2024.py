@@ -123,6 +123,10 @@ def plot(path, ours, theirs, keys):
 def main():
     args = arguments()
     args.work, args.repose = args.work.resolve(), os.path.abspath(args.repose)
+    if os.sep in args.liggghts:  # else it is in PATH
+        args.liggghts = os.path.abspath(args.liggghts)
+    if args.command == "compare" and args.json:
+        args.json = args.json.resolve()
     inputs.prepare(args.work)
     os.chdir(args.work)  # LIGGGHTS leaves a file where it runs
     if args.command != "prepare":

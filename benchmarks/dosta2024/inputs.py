@@ -1,7 +1,6 @@
 """Makes what the decks and the scripts of LIGGGHTS read, from the published coordinates."""
 
 import gzip
-import math
 import pathlib
 import shutil
 import sys
@@ -9,15 +8,16 @@ import sys
 import numpy as np
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parents[1] / "tools" / "python"))
+sys.path[:0] = [str(FOLDER.parent), str(FOLDER.parents[1] / "tools" / "python")]
+import liggghts_files  # noqa: E402
 import repose  # noqa: E402,F401  (for the modules beside this one)
+from liggghts_files import write_stl  # noqa: E402
 
 COORDINATES = FOLDER / "coordinates"
 CASES = ("penetration", "drum", "silo")
 DENSITY = {"M1": 2500.0, "M2": 2000.0, "steel": 7200.0}  # kg/m3, as in the decks
 BALL = ((0.0, 0.0, 0.06), (0.0, 0.0, -5.0), 0.01)        # m, m/s, m, as in penetration.toml
 DRUM_MESH = 'type = "mesh"\nmaterial = "steel"\nfile = "drum.stl"\n'
-SEGMENTS = 64  # of a turn, of the silo's mesh
 
 
 def read_table(name, columns):
@@ -37,18 +37,6 @@ def drum_triangles():
     return read_table("drum_walls", 9).reshape(-1, 3, 3).tolist()
 
 
-def turned(points):
-    """Triangles of a polyline (r, z) turned around the z axis: a polygon as far beyond the circle as within it."""
-    polygon = 2.0 / (1.0 + math.cos(math.pi / SEGMENTS))
-    turn = [2.0 * math.pi * (k % SEGMENTS) / SEGMENTS for k in range(SEGMENTS + 1)]
-    for (r1, z1), (r2, z2) in zip(points, points[1:]):
-        for a, b in zip(turn, turn[1:]):
-            p, q, s, t = ((polygon * r * math.cos(angle), polygon * r * math.sin(angle), z)
-                          for r, z, angle in ((r1, z1, a), (r1, z1, b), (r2, z2, a), (r2, z2, b)))
-            yield p, q, s
-            yield q, t, s
-
-
 def write_csv(path, position, radius, material):
     with open(path, "w") as file:
         file.write("x,y,z,radius,material\n")
@@ -56,30 +44,13 @@ def write_csv(path, position, radius, material):
             file.write(",".join(map(repr, x)) + f",{r!r},{name}\n")
 
 
-def write_stl(path, triangles):
-    with open(path, "w") as file:
-        file.write("solid wall\n")
-        for corners in triangles:
-            file.write("facet normal 0 0 0\nouter loop\n")
-            for x, y, z in corners:
-                file.write(f"vertex {x!r} {y!r} {z!r}\n")
-            file.write("endloop\nendfacet\n")
-        file.write("endsolid wall\n")
-
-
 def write_data(path, bounds, position, velocity, radius, material):
     """The grains for LIGGGHTS, at rest or with velocities; types as in liggghts/model.liggghts."""
-    kinds = [list(DENSITY).index(name) + 1 for name in material]
-    with open(path, "w") as file:
-        file.write(f"grains\n\n{len(radius)} atoms\n{len(DENSITY)} atom types\n\n")
-        for axis, low, high in zip("xyz", *bounds):
-            file.write(f"{low!r} {high!r} {axis}lo {axis}hi\n")
-        file.write("\nAtoms\n\n")
-        for i, (x, r) in enumerate(zip(position.tolist(), radius.tolist())):
-            file.write(f"{i + 1} {kinds[i]} {2 * r!r} {DENSITY[material[i]]} {x[0]!r} {x[1]!r} {x[2]!r}\n")
-        file.write("\nVelocities\n\n")
-        for i, v in enumerate(velocity.tolist()):
-            file.write(f"{i + 1} {v[0]!r} {v[1]!r} {v[2]!r} 0 0 0\n")
+    kind = {name: number for number, name in enumerate(DENSITY, 1)}
+    at_rest = [0, 0, 0]  # no spin
+    grains = zip(radius.tolist(), position.tolist(), velocity.tolist(), material)
+    liggghts_files.write_data(path, list(zip(*bounds)), len(DENSITY),
+                              ((kind[name], r, DENSITY[name], x, v, at_rest) for r, x, v, name in grains))
 
 
 def with_ball(position, radius, material):

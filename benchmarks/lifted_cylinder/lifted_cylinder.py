@@ -19,8 +19,8 @@ import tomllib
 from concurrent.futures import ThreadPoolExecutor
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(FOLDER.parent), str(FOLDER.parent / "dosta2024")]
-from inputs import write_stl  # noqa: E402
+sys.path.insert(0, str(FOLDER.parent))
+from liggghts_files import write_data, write_stl  # noqa: E402
 from report import ROOT, print_table, save, usual_options  # noqa: E402
 import repose  # noqa: E402
 
@@ -83,16 +83,9 @@ def resolved(run):
 
 
 def write_grains(path, deck, snapshot):
-    with open(path, "w") as file:
-        file.write(f"grains\n\n{len(snapshot.radius)} atoms\n2 atom types\n\n")
-        for axis, low, high in zip("xyz", deck["domain"]["min"], deck["domain"]["max"]):
-            file.write(f"{low!r} {high!r} {axis}lo {axis}hi\n")
-        file.write("\nAtoms\n\n")
-        for i, (x, r) in enumerate(zip(snapshot.position.tolist(), snapshot.radius.tolist()), 1):
-            file.write(f"{i} 1 {2 * r!r} {deck['density']} {x[0]!r} {x[1]!r} {x[2]!r}\n")
-        file.write("\nVelocities\n\n")
-        for i, (v, w) in enumerate(zip(snapshot.velocity.tolist(), snapshot.angular_velocity.tolist()), 1):
-            file.write(f"{i} {' '.join(map(repr, v + w))}\n")
+    grains = zip(snapshot.radius.tolist(), snapshot.position.tolist(), snapshot.velocity.tolist(), snapshot.angular_velocity.tolist())
+    write_data(path, list(zip(deck["domain"]["min"], deck["domain"]["max"])), 2,
+               ((1, r, deck["density"], x, v, w) for r, x, v, w in grains))
 
 
 def lift_in_liggghts(options, folder, bed, step, deck):

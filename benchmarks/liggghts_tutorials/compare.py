@@ -27,7 +27,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "python"))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "tools", "python"))
 import repose  # noqa: E402
 
 PRIMES = [49979687, 67867967, 86028121, 104395301, 122949823, 141650939]  # none that the scripts have themselves
@@ -117,7 +118,7 @@ def run_liggghts(arguments, script, folder, seed, plane):
 
 def agree(ours, theirs):
     for a, b in zip(zip(*ours), zip(*theirs)):
-        scatter = (statistics.pvariance(a) + statistics.pvariance(b)) ** 0.5 if len(a) > 1 else 0.0
+        scatter = (statistics.variance(a) + statistics.variance(b)) ** 0.5 if len(a) > 1 else 0.0
         difference = abs(statistics.mean(a) - statistics.mean(b))
         if difference > max(3.0 * scatter, 1e-3 * abs(statistics.mean(b))):
             return False
@@ -156,7 +157,7 @@ def run_both(arguments, work, deck_path, notes, script):
 def compare(arguments, script):
     """What became of a tutorial: its cells, or why there are none. Kept in the work folder."""
     work = os.path.join(arguments.work, script.replace("/", "_"))
-    kept = os.path.join(work, "row.json")
+    kept = os.path.join(work, f"row_{arguments.seeds}.json")
     if os.path.exists(kept):
         with open(kept) as file:
             return json.load(file)
@@ -208,9 +209,9 @@ def main():
     parser.add_argument("tutorials")
     parser.add_argument("repose")
     parser.add_argument("--liggghts", default="liggghts")
-    parser.add_argument("--seeds", type=int, default=4)
+    parser.add_argument("--seeds", type=int, default=4, choices=range(1, len(PRIMES) + 1))
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--work", default="liggghts_tutorials")
+    parser.add_argument("--work", default=os.path.join(ROOT, "build", "benchmarks", "liggghts_tutorials"))
     parser.add_argument("--only", default="")
     arguments = parser.parse_args()
     arguments.repose = os.path.abspath(arguments.repose)

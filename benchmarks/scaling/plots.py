@@ -49,7 +49,7 @@ def timeline(content):
     for planes, name in names.items():
         rows = [row for row in content["rows"] if row["planes"] == planes]
         axis.plot([row["time_s"] for row in rows], [row["pair_imbalance"] for row in rows], label=name)
-    axis.axhline(1.15, color="grey", linestyle=":", label="1.15")
+    axis.axhline(1.1, color="grey", linestyle=":", label="max_imbalance = 1.1")
     axis.set(xlabel="time (s)", ylabel="pairs of the busiest part over the mean", ylim=(1.0, None),
              title=f"{content['ranks']} parts")
     axis.legend()

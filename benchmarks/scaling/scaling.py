@@ -200,8 +200,8 @@ def means_of(rows, planes):
 
 def balance(args):
     """A whole discharge on some ranks, with and without new decompositions; and its snapshots, divided offline. Runs
-    that are complete are not run again."""
-    folder = args.work / f"balance_{args.deck.stem}"
+    that are complete are not run again; those of another deck are refused."""
+    folder = args.work / f"balance_{args.deck.stem}_{args.ranks}_{args.interval}"
     folder.mkdir(parents=True, exist_ok=True)
     ways = {"one_rank": (1, [f"output.snapshot_interval={args.interval}"]), "balanced": (args.ranks, []),
             "not_balanced": (args.ranks, ["neighbours.max_imbalance=1e6"])}
@@ -211,7 +211,7 @@ def balance(args):
         output = folder / name
         if not (output / "summary.json").exists():
             shutil.rmtree(output, ignore_errors=True)  # half of a run has no time of its own
-            states.repose.run(args.deck, output, set=[*args.set, *sets], ranks=ranks, program=args.program)
+        states.repose.run(args.deck, output, set=[*args.set, *sets], ranks=ranks, program=args.program, restart=True)
         kept[name] = summary_in(output)
     if len({summary["state_hash"] for summary in kept.values()}) != 1:
         raise SystemExit("the states differ")

@@ -7,7 +7,8 @@ import tomllib
 from dataclasses import asdict, dataclass
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parents[1] / "tools" / "python"))
+sys.path[:0] = [str(FOLDER.parent), str(FOLDER.parents[1] / "tools" / "python")]
+import liggghts_files  # noqa: E402
 import repose  # noqa: E402
 
 INPUTS = FOLDER / "inputs"
@@ -91,16 +92,9 @@ def write_list(path, position, velocity, radius):
 
 
 def write_data(path, bounds, position, velocity, radius, kind=1):
-    with open(path, "w") as file:
-        file.write(f"grains\n\n{len(radius)} atoms\n2 atom types\n\n")
-        for axis, (low, high) in zip("xyz", bounds):
-            file.write(f"{low!r} {high!r} {axis}lo {axis}hi\n")
-        file.write("\nAtoms\n\n")
-        for i, (x, r) in enumerate(zip(position.tolist(), radius.tolist()), 1):
-            file.write(f"{i} {kind} {2 * r!r} {DENSITY} {x[0]!r} {x[1]!r} {x[2]!r}\n")
-        file.write("\nVelocities\n\n")
-        for i, v in enumerate(velocity.tolist(), 1):
-            file.write(f"{i} {v[0]!r} {v[1]!r} {v[2]!r} 0 0 0\n")
+    at_rest = [0, 0, 0]  # no spin
+    grains = zip(radius.tolist(), position.tolist(), velocity.tolist())
+    liggghts_files.write_data(path, bounds, 2, ((kind, r, DENSITY, x, v, at_rest) for r, x, v in grains))
 
 
 def read_snapshot(folder, which=-1):

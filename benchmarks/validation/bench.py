@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from report import ROOT, print_table, save  # noqa: E402  (and where the package is)
+from report import ROOT, print_table, save, usual_options  # noqa: E402  (and where the package is)
 import repose  # noqa: E402
 
 

@@ -52,6 +52,23 @@ def above_the_cheapest(calibration, grid_rows):
     return rows
 
 
+def scatter_of_seeds(calibration):
+    """A row for each level whose points have several seeds: the standard deviation of each figure from seed to seed, pooled over
+    the points all of whose runs are done, which one whose hole was plugged is not, and have all figures."""
+    grid, rows = calibration.grid, []
+    for level in calibration.levels:
+        points = {}
+        for n in np.flatnonzero(grid["level"] == level):
+            points.setdefault(tuple(grid[name][n] for name in calibration.parameters), []).append(n)
+        done = [own for own in points.values() if len(own) > 1 and all(
+            grid["state"][n] == "done" and not np.isnan([grid[figure][n] for figure in calibration.figures]).any() for n in own)]
+        if done:
+            rows.append({"level": level, "points": len(done),
+                         **{figure: float(np.sqrt(np.mean([np.var(grid[figure][own], ddof=1) for own in done])))
+                            for figure in calibration.figures}})
+    return rows
+
+
 def study(options):
     """The calibrations of the cases, one after the other; each with its picture; of one that is stopped what its runs say so far."""
     for case in options.cases or CASES:
@@ -59,10 +76,13 @@ def study(options):
         with kept(options, name):
             calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
         differences, along = above_the_cheapest(calibration, content["rows"]), along_the_first(calibration)
+        scatter = scatter_of_seeds(calibration)
         print_table(differences, digits=4)
         print_table(along, digits=3)
+        if scatter:
+            print_table(scatter, digits=2)
         is_complete = calibration.states["waiting"] == 0
         save(options.results / f"{name}.json", case=case, is_complete=is_complete, above_the_cheapest=differences,
-             along_the_first=along, **content)
+             along_the_first=along, scatter_of_seeds=scatter, **content)
         if not is_complete:
             raise SystemExit(f"{name} is not complete: the same command goes on")

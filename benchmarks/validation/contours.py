@@ -71,15 +71,15 @@ def deck_text(full, deck, sets, figures, seeds):
 
 def crossings(calibration, truth):
     """A row for each point where the lines cross, with standard errors, and one that says whether the region has the
-    coefficients behind the laboratory."""
+    coefficients behind the laboratory, and with which T."""
     estimate = calibration.estimate
     rows = [{"point": "crossing", **{name: f"{value:.3g} +- {error:.2g}" for name, value, error in
                                      zip(calibration.parameters, point["values"], point["standard_errors"])}}
             for point in estimate["points"]]
     if not estimate["points"]:
         rows.append({"point": "nearest", **{name: f"{value:.3g}" for name, value in calibration.values.items()}})
-    inside = misfit_at(estimate["surfaces"], truth) <= estimate["limit"]
-    return [*rows, {"point": "the deck's, " + ("in" if inside else "outside") + " the region",
+    misfit = misfit_at(estimate["surfaces"], truth)
+    return [*rows, {"point": f"the deck's, {'in' if misfit <= estimate['limit'] else 'outside'} the region (T = {misfit:.3g})",
                     **{name: f"{value:.3g}" for name, value in zip(calibration.parameters, truth)}}]
 
 

@@ -45,4 +45,6 @@ def study(options):
                      "rotation, J/grain": series["rotational_energy_J"][settled] / grains,
                      "bulk density, kg/m3": summaries[name]["bulk_density_kg_m3"]})
     print_table(rows, digits=4)
-    save(options.results / ("_".join(["settling", *(options.cases or ())]) + ".json"), runs=identities(summaries), rows=rows)
+    for case in options.cases or CASES:
+        own = {name: summaries[name] for name, (of_case, _) in zip(names, cases) if of_case == case}
+        save(options.results / f"settling_{case}.json", runs=identities(own), rows=[row for row in rows if row["bed"] == case])

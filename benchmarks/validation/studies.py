@@ -1,9 +1,7 @@
 #!/usr/bin/python3
 """Studies behind docs/validation.md; see README.md. What has been run already is not run again."""
 
-import argparse
 import math
-import pathlib
 import subprocess
 
 import numpy as np
@@ -21,7 +19,7 @@ import settling
 import wall_friction
 from bench import (BULK_DENSITY, DISCHARGE, ROOT, SCATTERING, STOPPED, Bench, figures, flat_floor, modulus, names_by_seed, places,
                    print_table, rayleigh_share, repose, row_of, save, save_means, shown, spread_of, spreads, time_limit, vessel,
-                   with_seeds, write)
+                   usual_options, with_seeds, write)
 
 # Grains and walls a fifth as stiff as the thesis's, with one and a half times its share of the Rayleigh time: nearly three times
 # its step
@@ -166,11 +164,8 @@ STUDIES = {"full": full, "stiffness": stiffness, "time_step": time_step, "funnel
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = usual_options(__doc__, "validation")
     parser.add_argument("study", choices=STUDIES)
-    parser.add_argument("--program", default=str(ROOT / "build" / "ci" / "src" / "repose"))
-    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "benchmarks" / "validation")
-    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "benchmarks" / "results" / "validation")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time, one rank each")
     parser.add_argument("--ranks", type=int, default=2, help="of runs at full size, of contours and of calibrations")
     parser.add_argument("--cases", nargs="+", help="of a study that has some; default: all")
@@ -178,6 +173,7 @@ def main():
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--radii", type=float, nargs="+", default=[10.0, 11.11, 12.0], help="of the funnel, mm")
     options = parser.parse_args()
+    options.program = options.program or repose.find_program()
     STUDIES[options.study](options)
 
 

@@ -226,11 +226,16 @@ class Contacts(FolderTest):
         damaged, walls = self.path("damaged.vtp"), files[0].replace("contacts", "walls")
         with open(files[-1], "rb") as whole, open(damaged, "wb") as file:
             file.write(whole.read()[:-400])
-        for message, read in ((f"has no contacts 99, but {len(files)} files", lambda: run.contacts(99)),
+        for message, read in ((f"has no snapshot 99, but {len(files)} of them", lambda: run.contacts(99)),
                               ("is no PolyData of repose, or damaged", lambda: repose.ContactForces(damaged)),
                               ("vtp: has no contacts", lambda: repose.ContactForces(walls)),
                               ("cannot be read", lambda: repose.ContactForces(self.path("absent.vtp")))):
             self.assertRaisesRegex(repose.ReposeError, message, read)
+        os.rename(files[0], self.path("away"))  # as of a run that was asked for contacts later on
+        self.assertEqual(run.contacts(-1).time_s, run.snapshots[-1].time_s)
+        self.assertEqual(run.contacts(1).time_s, run.snapshots[1].time_s)
+        self.assertRaisesRegex(repose.ReposeError, "contacts_.*vtp: is missing", lambda: run.contacts(0))
+        os.rename(self.path("away"), files[0])
 
     def test_walls_stand_where_they_are_at_the_time(self):
         deck, output = self.path("scene.toml"), self.path("run")

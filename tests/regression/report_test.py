@@ -248,13 +248,15 @@ class Report(SharedFolderTest):
         for value, error, text in ((22.124865, 0.7423, "22.12 ± 0.74"), (0.40641, 0.0427, "0.406 ± 0.043"),
                                    (86, 9.27, "86.0 ± 9.3"), (1234.5, 156.0, "1230 ± 160"),
                                    (0.0999, 0.0996, "0.10 ± 0.10"), (-3.2e-9, 4.1e-10, "(-3.20 ± 0.41) · 10⁻⁹"),
-                                   (5.0, None, "5"), (0.27371, 0.0, "0.2737"), (None, 1.0, "none"),
+                                   (21.9, 3e-6, "21.9000"), (1.6e-4, 3e-20, "0.000160000"), (5.0, None, "5"), (0.27371, 0.0, "0.2737"), (None, 1.0, "none"),
                                    (float("nan"), None, "none"),
                                    (6.455e-6, None, "6.455 · 10⁻⁶")):
             self.assertEqual(numbers.with_error(value, error), text)
         for value, error, text in ((7e-14, 3e-14, ">7.0 · 10⁻¹⁴<"), (-1.7e-13, 3e-14, ">−1.70 · 10⁻¹³<"),
                                    (0.40641, 0.0427, ">0.406<"), (6.455e-6, None, ">6.455 · 10⁻⁶<"), (None, 1.0, ">none<")):
             self.assertIn(text, numbers.beside("rolling", value, error))
+        from repose.units import prefixed
+        self.assertEqual([prefixed(value, "N") for value in (5000.0, 20.0, 0.02)], [(1e-3, "kN"), (1.0, "N"), (1e3, "mN")])
         self.assertIn('value="0.000271"', numbers.figure("discharged_mass_kg", 0.000271))
         self.assertIn(">0.2710 g<", numbers.figure("discharged_mass_kg", 0.000271))
 

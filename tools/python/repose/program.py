@@ -21,8 +21,10 @@ def find_program():
     if named:
         return named
     tools = pathlib.Path(__file__).resolve().parents[2]  # share/repose, or tools of the source
-    near = [tools.parents[1] / "bin" / "repose"]
-    near += [tools.parent / "build" / build / "src" / "repose" for build in BUILDS]
+    if tools.parent.name == "share":
+        near = [tools.parents[1] / "bin" / "repose"]
+    else:
+        near = [tools.parent / "build" / build / "src" / "repose" for build in BUILDS]
     for path in near:
         if path.is_file():
             return str(path)

@@ -162,12 +162,15 @@ class Run:
 
     def contacts(self, n=-1):
         """`ContactForces` beside `snapshots[n]`: who touches whom with what force, in N; the last by default."""
-        paths = self.contact_paths
-        if not paths:
+        snapshots = self.snapshot_paths
+        if not self.contact_paths:
             raise ReposeError(f"{self.directory}: has no contacts_<step>.vtp: the deck has no output.contacts = true")
-        if not -len(paths) <= n < len(paths):
-            raise ReposeError(f"{self.directory}: has no contacts {n}, but {len(paths)} files of them")
-        return ContactForces(paths[n])
+        if not -len(snapshots) <= n < len(snapshots):
+            raise ReposeError(f"{self.directory}: has no snapshot {n}, but {len(snapshots)} of them")
+        path = self.directory / snapshots[n].name.replace("run_", "contacts_").replace(".hdf", ".vtp")
+        if not path.exists():
+            raise ReposeError(f"{path}: is missing: the deck had no output.contacts = true when {snapshots[n].name} was written")
+        return ContactForces(path)
 
     @property
     def checkpoint_contacts(self):

@@ -2,6 +2,7 @@
 table."""
 
 import functools
+import itertools
 import math
 import pathlib
 
@@ -40,8 +41,14 @@ class Study:
 
     @property
     def deck_text(self):
-        """The file that it was started with, as it stands."""
+        """The file that it was started with, below a comment for each `--set` that it was given."""
         return read_text(self.directory / self.deck_file)
+
+    @property
+    def overrides(self):
+        """Those `--set`s, as texts "key=value"."""
+        lines = itertools.takewhile(lambda line: line.startswith("# --set "), self.deck_text.splitlines())
+        return [line.removeprefix("# --set ") for line in lines]
 
     @property
     def title(self):

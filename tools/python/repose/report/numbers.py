@@ -33,7 +33,8 @@ def plain(value, digits=4):
 
 
 def with_error(value, error):
-    """Value and standard error, both to the second digit of the error: 22.12 ± 0.74."""
+    """Value and standard error, both to the second digit of the error: 22.12 ± 0.74. The value alone where the error is less than
+    a person reads of it."""
     if not is_number(value):
         return "none"
     if not is_number(error) or error <= 0.0:
@@ -41,6 +42,8 @@ def with_error(value, error):
     decimals = 1 - math.floor(math.log10(float(f"{error:.1e}")))
     if decimals > MOST_DECIMALS:
         exponent = math.floor(math.log10(max(abs(value), error)))
+        if decimals + exponent > MOST_DECIMALS:
+            return plain(value, MOST_DECIMALS)
         scale = 10.0 ** -exponent
         return f"({with_error(scale * value, scale * error)}) · 10{str(exponent).translate(UP)}"
     shown = max(decimals, 0)

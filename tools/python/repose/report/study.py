@@ -3,6 +3,7 @@
 import datetime
 
 from repose.files import ReposeError
+from repose.program import set_options
 from repose.report import html, numbers, parts
 from repose.units import words
 
@@ -180,7 +181,8 @@ def repeat(study, runs, command, nearest):
     rows = [("processor time", f"{numbers.duration(seconds)} of all runs together"),
             ("ranks of a run", f"at most {ranks}")]
     name = study.directory.resolve().name
-    commands = [parts.command_line("mpirun", "-n", max(2, ranks), "repose", command, study.deck_file, "--output", name)]
+    commands = [parts.command_line("mpirun", "-n", max(2, ranks), "repose", command, study.deck_file, "--output", name,
+                                   *set_options(study.overrides))]
     bases = " and ".join(base for _, base in bases_of(study.deck))
     decks = [(study.deck_file + f" (its base is {bases}, relative to where it was)", study.deck_text)]
     if nearest:

@@ -176,9 +176,13 @@ class Pictures(SharedFolderTest):
         done = self.program.call("run", self.program.deck("mesh_hopper.toml"), "--output", output, "--time-limit", "00:00:01")
         self.assertIn(done.returncode, (0, 75), done.stderr)
         walls = self.surfaces(os.path.join(output, "deck.resolved.toml"), os.path.join(self.program.source, "input"))
-        meshes = [bounds for bounds, area in walls.values() if area > 0.0]
-        self.assertEqual(len(meshes), len(walls))
-        self.assertTrue(all(np.isfinite(bounds).all() for bounds in meshes))
+        self.assertEqual(list(walls), ["hopper", "lid", "plate"])
+        half = math.pi / 24  # of a facet of a cylinder of 12 mm, above a cone to 5 mm
+        edge, outlet = 0.024 * math.sin(half), 0.010 * math.sin(half)
+        slant = math.hypot(0.007 * math.cos(half), 0.02)
+        self.check(walls["hopper"], (-0.012, 0.012, -0.012, 0.012, 0.0, 0.06),
+                   24 * (0.04 * edge + 0.5 * slant * (edge + outlet)))
+        self.check(walls["lid"], (-0.005, 0.005, -0.005, 0.005, 0.0, 0.0), ring(0.005))
 
 
 if __name__ == "__main__":

@@ -16,9 +16,9 @@ AFTER = 0.2  # s
 
 
 def level_of(calibration, name):
-    """What a level of a calibration has otherwise than the test itself, but for its time step."""
+    """What a level of a calibration has otherwise than the test itself, but for its time step and what it measures."""
     level = next(level for level in input_deck(calibration)["level"] if level["name"] == name)
-    return [key for key in level["set"] if not key.startswith("time.")]
+    return [key for key in level["set"] if not key.startswith(("time.", "measurement."))]
 
 
 def study(options):

@@ -142,11 +142,10 @@ void refuse_mixed_decks(const std::string& directory, std::span<const StudyRun> 
     const std::span varied = std::span(run.overrides).last(run.values.size() + 1);  // and the seed
     for (const DeckDifference& d : deck_differences_beyond({varied.begin(), varied.end()}, first.deck, own.deck)) {
       if (d.key.starts_with("output.")) continue;
-      const auto text = [](const std::string& value) { return value.empty() ? std::string("nothing") : value; };
       throw DeckError(fmt::format(
           "{}/runs: {} and {} are of different decks: {}: {} in the one, {} in the other; an estimate takes "
           "runs of one deck, so move those of the other away",
-          directory, first.name, own.name, d.key, text(d.before), text(d.now)));
+          directory, first.name, own.name, d.key, value_or_nothing(d.before), value_or_nothing(d.now)));
     }
   }
 }

@@ -12,6 +12,9 @@ struct DeckDifference {
   std::string now;
 };
 
+/// For a person: the value of a key in one of two decks, "nothing" where that deck does not have it.
+inline std::string value_or_nothing(const std::string& value) { return value.empty() ? "nothing" : value; }
+
 /// The keys in which two resolved decks (resolved_deck.h) differ, in alphabetical order. DeckError when one is no TOML.
 std::vector<DeckDifference> deck_differences(const std::string& before, const std::string& now);
 

@@ -68,8 +68,7 @@ void refuse_other_deck(const std::string& directory, const std::string& before, 
   std::vector<std::string> list;
   for (const DeckDifference& d : deck_differences(before, now)) {
     if (may_differ(d.key, now, phase)) continue;
-    const auto text = [](const std::string& value) { return value.empty() ? std::string("nothing") : value; };
-    list.push_back(fmt::format("{}: {} there, {} here", d.key, text(d.before), text(d.now)));
+    list.push_back(fmt::format("{}: {} there, {} here", d.key, value_or_nothing(d.before), value_or_nothing(d.now)));
   }
   if (list.empty()) return;
   throw DeckError(fmt::format("{}: belongs to another deck: {}; give that deck, or another --output directory",

@@ -1,8 +1,8 @@
 // One main for every test executable: MPI around GoogleTest, the verdict agreed among the ranks.
+#include <iostream>
+
 #include <gtest/gtest.h>
 #include <mpi.h>
-
-#include <iostream>
 
 #if defined(REPOSE_LEAK_CHECK)
 #include <sanitizer/lsan_interface.h>
@@ -10,7 +10,8 @@
 
 int main(int argc, char** argv) {
   {
-    // Open MPI leaks at its beginning and its end, from plugins that are unloaded, and so without names, when a process ends.
+    // Open MPI leaks at its beginning and its end, from plugins that are unloaded, and so without names, when a process
+    // ends.
 #if defined(REPOSE_LEAK_CHECK)
     const __lsan::ScopedDisabler leaks_are_not_ours;
 #endif
@@ -33,8 +34,8 @@ int main(int argc, char** argv) {
         for (int p = 0; p < info->result()->total_part_count(); ++p) {
           const auto& part = info->result()->GetTestPartResult(p);
           if (part.failed()) {
-            std::cerr << "rank " << rank << ": " << suite->name() << "." << info->name() << ": " << part.file_name() << ":"
-                      << part.line_number() << ": " << part.message() << "\n";
+            std::cerr << "rank " << rank << ": " << suite->name() << "." << info->name() << ": " << part.file_name()
+                      << ":" << part.line_number() << ": " << part.message() << "\n";
           }
         }
       }

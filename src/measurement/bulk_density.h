@@ -22,9 +22,9 @@ struct BulkDensity {
 };
 
 /// Bulk density and porosity in the box of `deck`, whose upper face is lowered to `surface_gap` below the lowest place
-/// of the bed's surface over it (docs/theory.md, "Bulk density"). `mass` (kg) is that of each grain, or empty. Images across the
-/// periodic directions of `domain` count. The order of the grains does not matter. Empty when there is no bed over the
-/// whole box or it is less than two mean diameters deep there.
+/// of the bed's surface over it (docs/theory.md, "Bulk density"). `mass` (kg) is that of each grain, or empty. Images
+/// across the periodic directions of `domain` count. The order of the grains does not matter. Empty when there is no
+/// bed over the whole box or it is less than two mean diameters deep there.
 std::optional<BulkDensity> bulk_density(const BulkDensityDeck& deck, const DomainDeck& domain,
                                         std::span<const Sphere> grains, std::span<const double> mass);
 

@@ -19,8 +19,8 @@ class PartnerSearch {
   void renew(const Particles& particles, const SkinWatch& watch, std::span<const std::int32_t> renewed);
   std::size_t renewals() const { return renewed_.size(); }  ///< since the last outer list for all
 
-  /// The other owned particles, but parked ones, whose outer spheres overlap that of particle i, which has been renewed;
-  /// until the next call.
+  /// The other owned particles, but parked ones, whose outer spheres overlap that of particle i, which has been
+  /// renewed; until the next call.
   std::span<const std::int32_t> partners(const Particles& particles, const SkinWatch& watch, std::int32_t i);
 
   std::size_t bytes() const;

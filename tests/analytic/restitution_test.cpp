@@ -30,9 +30,10 @@ Deck collision_deck(NormalLaw law, bool attraction, double restitution) {
 double step_for(const Deck& deck, double radius_eff, double mass_eff) {
   const MaterialTable materials(deck);
   const PairParameters& pair = materials.pair(0, 0);  // that of the wall has the same stiffness
-  const double time = deck.contact.normal_law == NormalLaw::hooke
-                          ? hooke_time(mass_eff, pair.coefficients.hooke_stiffness, pair.coefficients.hooke_tangential_ratio)
-                          : hertz_time(radius_eff, mass_eff, pair.youngs_modulus_eff, speed);
+  const double time =
+      deck.contact.normal_law == NormalLaw::hooke
+          ? hooke_time(mass_eff, pair.coefficients.hooke_stiffness, pair.coefficients.hooke_tangential_ratio)
+          : hertz_time(radius_eff, mass_eff, pair.youngs_modulus_eff, speed);
   return time / steps_per_contact;
 }
 

@@ -221,6 +221,42 @@ TEST(Heat, AWallGivesItsPowerAndOneWithACoefficientItsHeatFromOutside) {
   }
 }
 
+// Up and down again in 100 thermal steps of 1 ms; what flows in one is by the factor at its end.
+TEST(Heat, AWallFollowsTheCourseOfItsFactors) {
+  constexpr double k = 2.0, c = 800.0, overlap = 2e-6;
+  const double heat_capacity = sphere_mass(radius, density) * c;
+  const double contact = 2.0 * k * std::sqrt(radius * overlap);
+  for (const WallHeatType type : {WallHeatType::power, WallHeatType::temperature, WallHeatType::ambient}) {
+    Deck deck = still_deck(k, c, 1e-6);
+    deck.heat.every = 1000;
+    deck.walls.push_back(floor_at(overlap));
+    WallHeatDeck& heat = deck.walls[0].heat;
+    heat.enabled = true;
+    heat.type = type;
+    heat.power = 3e-3;
+    heat.temperature = 500.0;
+    heat.coefficient = 1e-5;
+    heat.times = {0.0, 0.05, 0.1};
+    heat.factors = {0.5, 2.5, 0.5};
+    WarmScene scene(deck, row(1, 0.0), std::vector<double>{300.0});
+    const double conductance = type == WallHeatType::ambient ? 1.0 / (1.0 / contact + 1.0 / heat.coefficient) : contact;
+    double expected = 300.0;
+    const auto follow = [&](int from, int to) {
+      for (int n = from; n < to; ++n) {
+        const double factor = 0.5 + 2.0 * (1.0 - std::abs(n + 1 - 50) / 50.0);
+        const double watts = type == WallHeatType::power ? 3e-3 * factor : conductance * (500.0 * factor - expected);
+        expected += 1e-3 * watts / heat_capacity;
+      }
+    };
+    scene.rest(50);
+    follow(0, 50);
+    EXPECT_NEAR(scene.temperature(0), expected, 1e-9);
+    scene.rest(50);
+    follow(50, 100);
+    EXPECT_NEAR(scene.temperature(0), expected, 1e-9);
+  }
+}
+
 // The wall conducts by its own temperature, 50 K above that of the grain: k(350 K) = 3 W/(m K), k(300 K) = 2.
 TEST(Heat, AWallWithoutHeatCapacityConductsAtItsOwnTemperature) {
   constexpr double overlap = 2e-6;

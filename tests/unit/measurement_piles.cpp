@@ -87,6 +87,17 @@ std::vector<Sphere> rough_cone(double height, double angle_deg, unsigned seed) {
   return grains;
 }
 
+void strew(std::vector<Sphere>& grains, int count, double height, double angle_deg, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const double slope = std::tan(angle_deg * pi / 180.0);
+  for (int k = 0; k < count; ++k) {
+    const double phi = 2.0 * pi * share(random);
+    const double r = height / slope * std::sqrt(share(random));
+    grains.push_back({{r * std::cos(phi), r * std::sin(phi), height - slope * r}, radius});
+  }
+}
+
 void add_strays(std::vector<Sphere>& grains, int count, double from, double to, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> angle(0.0, 2.0 * pi);

@@ -20,6 +20,9 @@ std::vector<Sphere> cone(double height, double angle_deg, double skin_diameter =
 /// A heap without a skin: the grains of a close-packed lattice, turned at random, whose centres lie within the cone.
 std::vector<Sphere> rough_cone(double height, double angle_deg, unsigned seed);
 
+/// `count` grains on the surface of a cone, half within it, at random and as many on each part of its area.
+void strew(std::vector<Sphere>& grains, int count, double height, double angle_deg, unsigned seed);
+
 /// `count` single grains on the plate, between the given distances from the axis.
 void add_strays(std::vector<Sphere>& grains, int count, double from, double to, unsigned seed);
 

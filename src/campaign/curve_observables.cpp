@@ -79,7 +79,7 @@ std::vector<std::optional<Vector>> curves_of_runs(const ObservableDeck& o, const
                                                   std::span<const StudyRun> runs, std::span<const RunRecord> records) {
   std::vector<std::optional<Vector>> curves(runs.size());
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs[i].experiment == o.experiment && counts(records[i], o.measured()))
+    if (runs[i].experiment == o.experiment && counts(records[i], o))
       curves[i] = vector_of(curve_of_run(folder_of(directory, runs[i]), o));
   }
   return curves;
@@ -153,7 +153,7 @@ void check_curves(const CalibrationDeck& deck, const Deck& run, std::size_t expe
 void check_curves(const CalibrationDeck& deck, const std::string& folder, const StudyRun& run) {
   const RunRecord record = read_run_folder(folder, {});
   for (const ObservableDeck& o : deck.observables) {
-    if (o.is_curve() && o.experiment == run.experiment && counts(record, o.measured())) curve_of_run(folder, o);
+    if (o.is_curve() && o.experiment == run.experiment && counts(record, o)) curve_of_run(folder, o);
   }
 }
 

@@ -42,9 +42,9 @@ struct Projection {
   std::vector<ProjectedCurve> curves;
 };
 
-/// The components are those of the runs that are complete: with more runs they change. A run that failed, or was
-/// plugged unless y is a mass, has no curve. `records` have the figures of the observables that are no curves, in their
-/// order. For rank 0. DeckError when a curve cannot be compared; FileError.
+/// The components are those of the runs that are complete: with more runs they change. A run that failed, or is plugged
+/// and does not count, has no curve. `records` have the figures of the observables that are no curves, in their order.
+/// For rank 0. DeckError when a curve cannot be compared; FileError.
 Projection project_curves(const CalibrationDeck& deck, const std::string& directory, std::span<const StudyRun> runs,
                           std::span<const RunRecord> records);
 

@@ -70,7 +70,7 @@ std::ptrdiff_t runs_ended(const LevelRuns& level) {
 /// Whether a record has a value of observable `k` of the deck.
 bool has_value(const CalibrationDeck& deck, const RunRecord& record, std::size_t k) {
   const ObservableDeck& o = deck.observables[k];
-  if (!counts(record, o.measured())) return false;
+  if (!counts(record, o)) return false;
   if (record.figures.size() == deck.observables.size()) return record.figures[k].has_value();
   if (o.is_curve()) return true;
   const auto before = deck.observables.begin() + static_cast<std::ptrdiff_t>(k);

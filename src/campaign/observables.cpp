@@ -36,6 +36,17 @@ Prior prior_of(const ParameterDeck& p) {
   return {};
 }
 
+/// NaN where a run has none or does not count for what is measured.
+template <class Measured>
+std::vector<double> values_that_count(std::span<const RunRecord> records, const Measured& measured, std::size_t k) {
+  std::vector<double> values;
+  for (const RunRecord& record : records) {
+    const bool has_value = counts(record, measured) && record.figures[k];
+    values.push_back(has_value ? *record.figures[k] : std::numeric_limits<double>::quiet_NaN());
+  }
+  return values;
+}
+
 }  // namespace
 
 std::vector<ParameterRange> ranges_of(const StudyDeck& study) {
@@ -68,20 +79,19 @@ bool counts(const RunRecord& record, const std::string& measured) {
   return record.state == RunState::done || (record.state == RunState::plugged && is_mass);
 }
 
+bool counts(const RunRecord& record, const ObservableDeck& observable) {
+  return counts(record, observable.measured()) && !(record.state == RunState::plugged && observable.flowing_only);
+}
+
 std::vector<double> values_of_figure(std::span<const RunRecord> records, const std::string& figure, std::size_t k) {
-  std::vector<double> values;
-  for (const RunRecord& record : records) {
-    const bool has_value = counts(record, figure) && record.figures[k];
-    values.push_back(has_value ? *record.figures[k] : std::numeric_limits<double>::quiet_NaN());
-  }
-  return values;
+  return values_that_count(records, figure, k);
 }
 
 std::vector<ObservableData> observable_data(const CalibrationDeck& deck, std::span<const RunRecord> records) {
   std::vector<ObservableData> data;
   for (std::size_t k = 0; k < deck.observables.size(); ++k) {
     const ObservableDeck& o = deck.observables[k];
-    data.push_back({o.figure, transform_of(o.scale), laboratory_of(o), values_of_figure(records, o.measured(), k),
+    data.push_back({o.figure, transform_of(o.scale), laboratory_of(o), values_that_count(records, o, k),
                     o.model_deviation(), o.experiment});
   }
   return data;

@@ -26,6 +26,9 @@ Misfit misfit_of(const CalibrationDeck& deck, std::span<const StudyRun> runs, st
 /// the masses alone: what little has fallen through is no pile (thesis section 3.5).
 bool counts(const RunRecord& record, const std::string& measured);
 
+/// The same of an observable, for whose mass plugged runs do not count either if it is one of flowing runs only.
+bool counts(const RunRecord& record, const ObservableDeck& observable);
+
 /// The values of figure `k` of the records, NaN where a run has none or does not count for it.
 std::vector<double> values_of_figure(std::span<const RunRecord> records, const std::string& figure, std::size_t k);
 

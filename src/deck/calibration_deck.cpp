@@ -44,6 +44,8 @@ void describe(V& v, ObservableDeck& o) {
     "false: the deviation is an estimate from these repeats");
   v("scale", o.scale, Unit::none, any_value, optional.when(!curve, "without curve"),
     "on which the surface is built: square_root suits counts");
+  v("flowing_only", o.flowing_only, Unit::none, any_value, optional,
+    "true: a mass of runs whose hole is not plugged alone");
   v("discrepancy", o.discrepancy, Unit::none, at_least(0), optional,
     "standard deviation of what the model cannot be expected to meet");
   v("discrepancy_share", o.discrepancy_share, Unit::none, at_least(0), optional,

@@ -23,6 +23,7 @@ struct ObservableDeck {
   std::int64_t repeats = 1;        ///< measurements of which `laboratory` is the mean
   bool deviation_is_known = true;  ///< false: estimated from these very repeats
   ObservableScale scale = ObservableScale::linear;
+  bool flowing_only = false;       ///< plugged runs have no mass to compare either
   double discrepancy = 0.0;        ///< standard deviation of what the model cannot be expected to meet, in that unit
   double discrepancy_share = 0.0;  ///< or over the laboratory's value
   std::string key;                 ///< of summary.json

@@ -109,6 +109,21 @@ TEST(Observables, APluggedRunCountsForTheMassAlone) {
   for (const std::size_t k : {1U, 2U, 3U}) EXPECT_TRUE(std::isnan(angle[k])) << k;
 }
 
+TEST(Observables, APluggedRunDoesNotCountForAMassOfFlowingRunsOnly) {
+  const std::vector<RunRecord> records = {record_of(RunState::done, 0.02, 30.0),
+                                          record_of(RunState::plugged, 0.001, std::nullopt)};
+  CalibrationDeck deck;
+  ObservableDeck& o = deck.observables.emplace_back();
+  o.figure = figures[0];
+  EXPECT_EQ(observable_data(deck, records)[0].values[1], 0.001);
+  o.flowing_only = true;
+  const std::vector<double> mass = observable_data(deck, records)[0].values;
+  EXPECT_EQ(mass[0], 0.02);
+  EXPECT_TRUE(std::isnan(mass[1]));
+  EXPECT_TRUE(counts(records[0], o));
+  EXPECT_FALSE(counts(records[1], o));
+}
+
 TEST(Observables, TheStandardErrorIsThatOfTheMean) {
   CalibrationDeck deck;
   ObservableDeck& o = deck.observables.emplace_back();

@@ -161,8 +161,8 @@ def warnings(runs):
             found.append(f"Run {links(runs, [row])} failed: {html.escape(grid['reason'][row])}")
     plugged = [row for row in range(grid.rows) if grid["state"][row] == "plugged"]
     if plugged:
-        found.append(f"{len(plugged)} of {grid.rows} runs plugged: {links(runs, plugged)}. They count for masses and "
-                     "for no other figure.")
+        found.append(f"{len(plugged)} of {grid.rows} runs plugged: {links(runs, plugged)}. They count for masses that are "
+                     "not of flowing runs only, and for no other figure.")
     for figure in runs.figures:
         without = [row for row in range(grid.rows) if grid["state"][row] == "done"
                    and runs.study.is_asked(row, figure) and runs.value(row, figure)[0] is None]

@@ -10,8 +10,7 @@
 
 int main(int argc, char** argv) {
   {
-    // Open MPI leaks at its beginning and its end, from plugins that are unloaded, and so without names, when a process
-    // ends.
+    // Open MPI leaks here and at its end, from plugins that it unloads, whose stacks then have no names.
 #if defined(REPOSE_LEAK_CHECK)
     const __lsan::ScopedDisabler leaks_are_not_ours;
 #endif
@@ -43,7 +42,7 @@ int main(int argc, char** argv) {
   }
   MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
 #if defined(REPOSE_LEAK_CHECK)
-  __lsan_do_leak_check();  // at once, and not at the end
+  __lsan_do_leak_check();  // now, and not when the process ends
 #endif
   MPI_Finalize();
   return failed;

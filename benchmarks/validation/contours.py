@@ -88,26 +88,29 @@ def estimate_of(calibration):
     return {key: value for key, value in calibration.estimate.items() if key not in ("surfaces", "first_level_alone")}
 
 
-def counts(state, figure):
-    """Whether a run in this state counts for a figure, as in a calibration: one whose hole was plugged for the mass alone."""
-    return state == "done" or (state == "plugged" and figure in ("discharged_mass_kg", "retained_mass_kg"))
+def counts(state, observable):
+    """Whether a run in this state counts for an observable, as in a calibration: one whose hole was plugged for the mass alone, unless
+    that is one of flowing runs only."""
+    is_mass = observable["figure"] in ("discharged_mass_kg", "retained_mass_kg")
+    return state == "done" or (state == "plugged" and is_mass and not observable.get("flowing_only", False))
 
 
-def mean_of(grid, rows, figure):
-    """Of a figure over those of the rows of a grid that count and have it; None without any."""
-    values = [grid[figure][n] for n in rows if counts(grid["state"][n], figure) and not np.isnan(grid[figure][n])]
+def mean_of(grid, rows, observable):
+    """Of an observable over those of the rows of a grid that count and have it; None without any."""
+    column = grid[observable["figure"]]
+    values = [column[n] for n in rows if counts(grid["state"][n], observable) and not np.isnan(column[n])]
     return round(float(np.mean(values)), 7) if values else None
 
 
 def grid_rows(calibration):
     """A row for each point of the grid, with the means over its seeds and the state hashes of its runs."""
-    grid, figures = calibration.grid, calibration.figures
+    grid = calibration.grid
     keys = [*calibration.parameters, *(["level"] if calibration.levels else [])]
     rows = {}
     for number in range(grid.rows):
         rows.setdefault(tuple(grid[key][number].item() for key in keys), []).append(number)
     return [{**dict(zip(keys, point)), "state": " ".join(grid["state"][own]),
-             **{figure: mean_of(grid, own, figure) for figure in figures},
+             **{observable["figure"]: mean_of(grid, own, observable) for observable in calibration.laboratory},
              "state_hash": [calibration.run(n).summary["state_hash"] for n in own if grid["state"][n] in ("done", "plugged")]}
             for point, own in rows.items()]
 

@@ -1,6 +1,17 @@
-find_package(MPI REQUIRED COMPONENTS C)
+find_package(MPI 3.0 REQUIRED COMPONENTS C)
 find_package(PkgConfig REQUIRED)
-pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi hdf5)  # the name in Debian, that of everybody else
+# The name in Debian, that of everybody else; where both are, -D REPOSE_HDF5=hdf5 takes the other
+set(REPOSE_HDF5 "hdf5-openmpi;hdf5" CACHE STRING "Names of HDF5 for pkg-config, of which the first that is found is taken")
+list(TRANSFORM REPOSE_HDF5 APPEND ">=1.10" OUTPUT_VARIABLE hdf5_modules)
+pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET ${hdf5_modules})
+include(CheckCXXSymbolExists)
+set(CMAKE_REQUIRED_LIBRARIES PkgConfig::HDF5 MPI::MPI_C)
+check_cxx_symbol_exists(H5_HAVE_PARALLEL hdf5.h REPOSE_HDF5_IS_PARALLEL)
+unset(CMAKE_REQUIRED_LIBRARIES)
+if(NOT REPOSE_HDF5_IS_PARALLEL)
+  message(FATAL_ERROR "HDF5 ${HDF5_VERSION} was built without MPI; name one that has it: -D REPOSE_HDF5=hdf5-openmpi, "
+    "or PKG_CONFIG_PATH to its .pc")
+endif()
 pkg_check_modules(LEPTONICA REQUIRED IMPORTED_TARGET lept)
 pkg_check_modules(EXIF REQUIRED IMPORTED_TARGET libexif)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo cairo-pdf cairo-svg)

@@ -137,15 +137,15 @@ def row_of(options, seed):
 
 
 def table_of(rows):
-    """Means and deviations of a run, and whether they differ by less than the scatter of seeds."""
+    """Means and deviations of a run, and whether the means differ by less than the standard error of their difference."""
     table = []
     for figure in FIGURES:
         ours, theirs = ([row[program][figure] for row in rows] for program in ("repose", "liggghts"))
-        scatter = math.hypot(statistics.stdev(ours), statistics.stdev(theirs))
+        error = math.hypot(statistics.stdev(ours), statistics.stdev(theirs)) / math.sqrt(len(rows))
         difference = statistics.mean(ours) - statistics.mean(theirs)
         table.append({"figure": figure, "repose": statistics.mean(ours), "deviation": statistics.stdev(ours),
                       "LIGGGHTS": statistics.mean(theirs), "deviation there": statistics.stdev(theirs),
-                      "difference": difference, "scatter": scatter, "": "agree" if abs(difference) <= scatter else "differ"})
+                      "difference": difference, "standard error": error, "": "agree" if abs(difference) <= error else "differ"})
     return table
 
 

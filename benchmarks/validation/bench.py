@@ -56,8 +56,10 @@ def places(snapshot):
 
 def figures(summary):
     """What the studies compare, in the units of the thesis; None where a run has no such value."""
-    return {"discharged_g": 1e3 * summary["discharged_mass_kg"], "angle_deg": summary["angle_of_repose_deg"],
-            "time_s": summary["discharge_time_s"], "rate_g_s": 1e3 * summary["discharge_rate_kg_s"]}
+    def grams(kilograms):
+        return None if kilograms is None else 1e3 * kilograms
+    return {"discharged_g": grams(summary["discharged_mass_kg"]), "angle_deg": summary["angle_of_repose_deg"],
+            "time_s": summary["discharge_time_s"], "rate_g_s": grams(summary["discharge_rate_kg_s"])}
 
 
 def flat_floor(radius, height, hole=0.0025):

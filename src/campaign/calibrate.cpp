@@ -1,5 +1,6 @@
 #include "campaign/calibrate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -47,6 +48,16 @@ void check_priors_in_ranges(const CalibrationDeck& deck, const std::string& path
   }
 }
 
+/// DeckError when a parameter is the same at all points: the runs can say nothing of it.
+void require_variation(const StudyDeck& study, std::span<const std::vector<double>> points, const std::string& path) {
+  for (std::size_t k = 0; k < study.parameters.size(); ++k) {
+    const auto is_the_same = [&](const std::vector<double>& point) { return point[k] == points.front()[k]; };
+    if (points.empty() || !std::all_of(points.begin(), points.end(), is_the_same)) continue;
+    throw DeckError(fmt::format("{}: parameter \"{}\" is {} at all points; to estimate it takes two values or more",
+                                path, study.parameters[k].name, points.front()[k]));
+  }
+}
+
 /// Before any run: whether there can be an estimate afterwards.
 void check_counts(const CalibrationDeck& deck, const std::string& path) {
   const std::size_t parameters = deck.study.parameters.size();
@@ -58,6 +69,7 @@ void check_counts(const CalibrationDeck& deck, const std::string& path) {
   if (!deck.adaptive.enabled && std::ssize(points) < least_points) {
     throw DeckError(fmt::format("{}: {} points; a surface needs {} or more", path, points.size(), least_points));
   }
+  require_variation(deck.study, points, path);
   std::int64_t observables = 0;
   for (const ObservableDeck& o : deck.observables) observables += o.is_curve() ? o.components : 1;
   if (takes_posterior(ranges_of(deck.study)) || observables >= static_cast<std::int64_t>(parameters)) return;
@@ -206,6 +218,7 @@ std::string estimate_directory(const Communicator& world, const std::string& dir
     refuse_mixed_decks(directory, runs);
     const std::vector<RunRecord> records = read_run_folders(directory, runs, run_figures(deck));
     const KnownLevels known = known_levels(deck, runs, records);
+    require_variation(deck.study, places_of(known.runs), deck_path);
     const Projection projection = project_curves(known.deck, directory, known.runs, known.records);
     report += known.left_out + write_estimate(projection, known.runs, directory);
   });

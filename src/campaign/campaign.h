@@ -20,13 +20,14 @@ namespace repose {
 /// What many runs of one deck have in common, and where they go.
 struct CampaignPlan {
   StudyDeck study;
-  std::string deck;                      ///< path of the study
-  std::string deck_text;                 ///< for the table
-  std::vector<std::string> bases;        ///< paths of the base decks, for each experiment one per level
-  std::vector<std::string> levels;       ///< their names; empty: there is one, without a name
-  std::vector<std::string> experiments;  ///< likewise
-  std::vector<RunFigure> figures;        ///< for the table
-  std::string directory;                 ///< runs in runs/NAME, tables beside
+  std::string deck;                       ///< path of the study
+  std::string deck_text;                  ///< for the table
+  std::vector<std::string> command_line;  ///< overrides that came with the command; they are among those of the runs
+  std::vector<std::string> bases;         ///< paths of the base decks, for each experiment one per level
+  std::vector<std::string> levels;        ///< their names; empty: there is one, without a name
+  std::vector<std::string> experiments;   ///< likewise
+  std::vector<RunFigure> figures;         ///< for the table
+  std::string directory;                  ///< runs in runs/NAME, tables beside
   VectorLevel level;
   RunLog log;                    ///< of the whole; each run has a run.log of its own
   LiveReport* report = nullptr;  ///< to be renewed meanwhile; rank 0
@@ -64,8 +65,9 @@ std::string effort_text(const CampaignEffort& effort, int ranks);
 void write_campaign_table(const CampaignPlan& plan, const std::vector<std::string>& columns,
                           std::span<const StudyRun> runs, std::span<const RunRecord> records);
 
-/// DeckError when a run's deck is wrong, one of the figures is not measured, or the directory holds results of another
-/// base deck; without a directory the decks alone are checked. For rank 0.
+/// DeckError when a run's deck is wrong, an override sets what the study sets itself, one of the figures is not
+/// measured, a folder's name would be too long, or the directory holds results of another base deck; without a
+/// directory the decks alone are checked. For rank 0.
 void check_campaign(const CampaignPlan& plan, std::span<const StudyRun> runs);
 
 /// Collective, while a ResultsDirectory has the plan's. Does the runs that are not complete, on groups of ranks which

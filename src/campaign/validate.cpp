@@ -152,8 +152,11 @@ struct PlannedCases {
   std::vector<StudyRun> runs;
 };
 
-PlannedCases planned_cases(const ValidationDeck& deck, const RunRequest& request) {
+PlannedCases planned_cases(const ValidationDeck& deck, const std::string& text, const RunRequest& request) {
   PlannedCases planned;
+  planned.plan.deck = request.deck;
+  planned.plan.deck_text = text;
+  planned.plan.command_line = request.overrides;
   for (std::size_t i = 0; i < deck.cases.size(); ++i) {
     const ValidationCaseDeck& one = deck.cases[i];
     planned.plan.bases.push_back(path_beside(request.deck, one.deck));
@@ -171,10 +174,11 @@ PlannedCases planned_cases(const ValidationDeck& deck, const RunRequest& request
 
 std::string validate_file(const Communicator& comm, const RunRequest& request, const std::vector<std::string>& only,
                           const StopAsked& stop_asked) {
-  const ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
+  const std::string text = read_shared_file(comm, request.deck);
+  const ValidationDeck deck = read_validation_deck(text, request.deck);
   const ValidationDeck chosen = chosen_cases(only, request.deck, deck);
   agree_after_root(comm, [&] {
-    const PlannedCases planned = planned_cases(chosen, request);
+    const PlannedCases planned = planned_cases(chosen, text, request);
     check_campaign(planned.plan, planned.runs);
     create_output_directory(request.output);
     refuse_other_results(request.output, ResultsOf::validation);
@@ -194,10 +198,11 @@ std::string validate_file(const Communicator& comm, const RunRequest& request, c
 }
 
 std::string check_validation(const Communicator& comm, const RunRequest& request) {
-  const ValidationDeck deck = read_validation_deck(read_shared_file(comm, request.deck), request.deck);
+  const std::string text = read_shared_file(comm, request.deck);
+  const ValidationDeck deck = read_validation_deck(text, request.deck);
   std::string report;
   agree_after_root(comm, [&] {
-    const PlannedCases planned = planned_cases(deck, request);
+    const PlannedCases planned = planned_cases(deck, text, request);
     report = planned_work_text(planned.plan, planned.runs, usual_core_speed, comm.size());
   });
   return report;

@@ -46,6 +46,9 @@ std::string no_option(const std::string& word, const CLI::App& command, const st
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
+  if (std::find(names.begin(), names.end(), word) != names.end()) {
+    return fmt::format("\"{}\" belongs behind the command: {} {} ...; see {} --help", word, path, word, path);
+  }
   return fmt::format("there is no option \"{}\"; did you mean {}? {} --help lists them", word, nearest(word, names),
                      path);
 }

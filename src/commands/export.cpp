@@ -1,7 +1,5 @@
-#include <array>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
 
 #include <fmt/core.h>
 
@@ -15,12 +13,12 @@
 namespace repose {
 namespace {
 
-/// FileError when `path` is there and does not begin as `text` does: no earlier export in the same format.
-void refuse_no_export(const std::string& path, const std::string& text) {
+/// FileError when `path` is there and is no earlier export in the same format.
+void refuse_no_export(const std::string& path, const ExportFormat& format) {
   if (!std::filesystem::is_regular_file(path)) return;
-  std::array<char, 5> beginning = {};  // "<?xml", "ITEM:", ...
-  std::ifstream(path, std::ios::binary).read(beginning.data(), beginning.size());
-  if (text.starts_with(std::string_view(beginning.data(), beginning.size()))) return;
+  std::string beginning(1 << 13, '\0');
+  std::ifstream(path, std::ios::binary).read(beginning.data(), std::ssize(beginning));
+  if (beginning.find(format.mark) != std::string::npos) return;
   throw FileError(path + ": is there already, and is no export in this format; name another file");
 }
 
@@ -49,9 +47,8 @@ class Export : public Command {
       }
       for (const ExportFormat& format : export_formats()) {
         if (format.name != format_) continue;
-        const std::string exported = format.text(snapshot);
-        refuse_no_export(output_, exported);
-        write_text_file(output_, exported);
+        refuse_no_export(output_, format);
+        write_text_file(output_, format.text(snapshot));
       }
       text = fmt::format("{} particles in {}\n", snapshot.particles.size(), output_);
     });

@@ -48,24 +48,35 @@ class FieldsCommand : public Command {
     return fields::read_state(read_whole_file(file), file, {text, deck_, overrides_}, read_beside);
   }
 
-  std::string write_all() const {
-    fields::Resolution resolution = given_;
+  static std::string name_of(std::int64_t step) { return fmt::format("fields_{:010}.vti", step); }
+
+  /// The files with their times. FileError and DeckError for what cannot be read or put into one series.
+  std::vector<std::pair<double, std::string>> checked_series() const {
     std::vector<std::pair<double, std::string>> series;
+    for (const std::string& file : files_) {
+      const fields::State state = state_of(file);
+      const std::string name = name_of(state.step);
+      if (std::any_of(series.begin(), series.end(), [&](const auto& other) { return other.second == name; })) {
+        throw DeckError(fmt::format("{}: another file is of step {}, too; give files of one run", file, state.step));
+      }
+      series.emplace_back(state.time, name);
+    }
+    std::sort(series.begin(), series.end());
+    return series;
+  }
+
+  std::string write_all() const {
+    const std::vector<std::pair<double, std::string>> series = checked_series();  // of all, before anything is written
+    fields::Resolution resolution = given_;
     std::string text;
     for (const std::string& file : files_) {
       const fields::State state = state_of(file);
       resolution = fields::resolution_for(state, resolution);  // that of the first holds for all
       const fields::FieldsOfFile one = fields::fields_of(state, file, resolution);
-      const std::string name = fmt::format("fields_{:010}.vti", one.step);
-      if (std::any_of(series.begin(), series.end(), [&](const auto& other) { return other.second == name; })) {
-        throw DeckError(fmt::format("{}: another file is of step {}, too; give files of one run", file, one.step));
-      }
-      if (series.empty()) create_output_directory(output_);
-      write_text_file(output_ + "/" + name, one.vti);
-      series.emplace_back(one.time, name);
+      if (text.empty()) create_output_directory(output_);
+      write_text_file(output_ + "/" + name_of(one.step), one.vti);
       text += one.lines;
     }
-    std::sort(series.begin(), series.end());
     write_text_file(output_ + "/fields.pvd", fields::series_text(series));
     return text;
   }

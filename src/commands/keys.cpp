@@ -27,6 +27,8 @@ std::string keys_of(const std::string& command) {
                                                                             {"sensitivity", sensitivity_keys},
                                                                             {"validate", validation_keys},
                                                                             {"photo", photo::photo_keys},
+                                                                            {"photo pile", photo::photo_keys},
+                                                                            {"photo plate", photo::photo_keys},
                                                                             {"compare", thermal::compare_keys},
                                                                             {"thermal bed", thermal::bed_keys},
                                                                             {"thermal mixture", thermal::mixture_keys},
@@ -56,7 +58,9 @@ class Keys : public Command {
     options.argument("COMMAND", command_,
                      "whose file: run (the default), calibrate, sensitivity, validate, photo, compare or thermal",
                      Options::Need::may);
-    options.argument("TOOL", tool_, "of thermal: bed, mixture, network, sensor, synthesise or tps", Options::Need::may);
+    options.argument("TOOL", tool_,
+                     "of thermal: bed, mixture, network, sensor, synthesise or tps; of photo: pile or plate",
+                     Options::Need::may);
   }
   void carry_out(Process& process) override {
     process.say(keys_of(tool_.empty() ? command_ : fmt::format("{} {}", command_, tool_)));

@@ -104,17 +104,24 @@ std::string lines_of(const FinishedState& state, const std::vector<const Measure
   return text;
 }
 
+struct NamedFile {
+  std::string path;
+  std::string bytes;
+};
+
 /// The grains as photographs would show them, for `repose photo`.
-void write_views(const FinishedState& state, double pixels_per_mm) {
+std::vector<NamedFile> views_of(const FinishedState& state, double pixels_per_mm) {
   const Deck& deck = state.deck;
+  std::vector<NamedFile> views;
   if (deck.angle_of_repose.enabled) {
-    write_text_file(state.directory + pile_view_file,
-                    photo::png_of(photo::rendered_pile(state.grains, deck.angle_of_repose, pixels_per_mm)));
+    views.push_back({state.directory + pile_view_file,
+                     photo::png_of(photo::rendered_pile(state.grains, deck.angle_of_repose, pixels_per_mm))});
   }
   if (deck.scattering.enabled) {
-    write_text_file(state.directory + plate_view_file,
-                    photo::png_of(photo::rendered_plate(state.grains, deck.scattering, pixels_per_mm)));
+    views.push_back({state.directory + plate_view_file,
+                     photo::png_of(photo::rendered_plate(state.grains, deck.scattering, pixels_per_mm))});
   }
+  return views;
 }
 
 class Measure : public Command {
@@ -151,10 +158,12 @@ class Measure : public Command {
     }
     const std::vector<const MeasurementKind*> kinds = chosen(deck);
     const FinishedState state = read_state(deck, file_, output_);
+    std::vector<NamedFile> views;  // before the first file is touched: the scale may be refused
+    if (pixels_per_mm_ > 0.0) views = views_of(state, pixels_per_mm_);
     if (!output_.empty()) prepare_directory(output_);
     Figures figures = no_figures(Figure::From::grains);
     for (const MeasurementKind* kind : kinds) kind->measure(state, figures);
-    if (pixels_per_mm_ > 0.0) write_views(state, pixels_per_mm_);
+    for (const NamedFile& view : views) write_text_file(view.path, view.bytes);
     if (!output_.empty()) write_text_file(output_ + result_file, result_text(state, file_, figures));
     return lines_of(state, kinds, figures);
   }

@@ -11,6 +11,7 @@
 #include "deck/read_deck.h"
 #include "deck/scaled_deck.h"
 #include "files/atomic_file.h"
+#include "run/run_plan.h"
 
 namespace repose {
 namespace {
@@ -91,8 +92,22 @@ class New : public Command {
     const std::string path = test.name + ".toml";
     const Deck deck = read_deck(test.deck, path, {});
     const std::string text = scaled_deck(test.deck, path, scale_for(deck));
-    read_deck(text, output_.empty() ? path : output_, {});  // refuses what no run could do
+    check(read_deck(text, output_.empty() ? path : output_, {}));
     return text;
+  }
+
+  /// DeckError when a run of the deck could not be set up, as far as that is soon said: it is small apparatus that the
+  /// grains do not fit into.
+  void check(const Deck& deck) const {
+    constexpr double most = 1e6;
+    if (static_cast<double>(deck.particles.front().count) > most) return;
+    try {
+      const RunPlan plan(deck, [](const std::string& file) -> std::string {
+        throw FileError(fmt::format("{}: a ready test reads no files", file));
+      });
+    } catch (const DeckError& error) {
+      throw DeckError(fmt::format("{} of this size cannot be set up; take more --grains: {}", test_, error.what()));
+    }
   }
 
   DeckScale scale_for(const Deck& deck) const {

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "comm/agreement.h"
 #include "commands/command.h"
 #include "deck/read_deck.h"
@@ -44,7 +46,12 @@ class Photo : public Command {
     const std::string base_path = path_beside(deck_, deck.base);
     const Deck base = read_deck(read_whole_file(base_path), base_path, deck.set);
     std::vector<photo::PhotoFile> photographs;
-    for (const std::string& file : files_) photographs.push_back({file, read_whole_file(file)});
+    for (const std::string& file : files_) {
+      if (std::count(files_.begin(), files_.end(), file) > 1) {
+        throw DeckError(fmt::format("{}: is named twice; each photograph counts as a measurement of its own", file));
+      }
+      photographs.push_back({file, read_whole_file(file)});
+    }
     const photo::PhotoResult result = tool_(photographs, deck, base);
     // Both results are made before the first is written.
     const std::string calibration =

@@ -35,12 +35,16 @@ void check_finite(const Json& value, const std::string& name, const std::string&
 /// What data a tool takes beside its deck.
 enum class Data { none, beds, tables, two_tables };
 
+/// Where what a tool finds goes.
+enum class Result { text, tables };
+
 /// One of the thermal tools (thermal/tools): it takes data and its deck as an option, like measure, or no data and its
 /// deck as the argument.
 class ThermalTool : public Command {
  public:
   using Tool = thermal::ToolResult (*)(const thermal::ToolInput& input);
-  ThermalTool(std::string name, Data data, Tool tool) : name_(std::move(name)), data_(data), tool_(tool) {}
+  ThermalTool(std::string name, Data data, Tool tool, Result result)
+      : name_(std::move(name)), data_(data), tool_(tool), result_(result) {}
 
   void declare(Options& options) override {
     if (data_ == Data::tables) options.arguments("FILE", files_, "data (CSV); several are allowed");
@@ -52,7 +56,11 @@ class ThermalTool : public Command {
       options.option("--deck", deck_, "DECK", "deck (TOML)", Options::Need::must);
     }
     declare_overrides(options, overrides_);
-    options.option("--output", output_, "DIR", "directory of the JSON result");
+    if (result_ == Result::tables) {
+      options.option("--output", output_, "DIR", "directory of the tables and the JSON result", Options::Need::must);
+    } else {
+      options.option("--output", output_, "DIR", "directory of the JSON result");
+    }
   }
 
   void carry_out(Process& process) override {
@@ -84,14 +92,15 @@ class ThermalTool : public Command {
   std::string name_;
   Data data_;
   Tool tool_;
+  Result result_;
   std::string deck_;
   std::vector<std::string> overrides_;
   std::vector<std::string> files_;
   std::string output_;
 };
 
-std::unique_ptr<Command> tool(const char* name, Data data, ThermalTool::Tool run) {
-  return std::make_unique<ThermalTool>(name, data, run);
+std::unique_ptr<Command> tool(const char* name, Data data, ThermalTool::Tool run, Result result = Result::text) {
+  return std::make_unique<ThermalTool>(name, data, run, result);
 }
 
 }  // namespace
@@ -100,7 +109,7 @@ std::unique_ptr<Command> thermal_bed_command() { return tool("bed", Data::none, 
 std::unique_ptr<Command> thermal_network_command() { return tool("network", Data::beds, thermal::network_tool); }
 std::unique_ptr<Command> thermal_tps_command() { return tool("tps", Data::tables, thermal::tps_tool); }
 std::unique_ptr<Command> thermal_synthesise_command() {
-  return tool("synthesise", Data::none, thermal::synthesise_tool);
+  return tool("synthesise", Data::none, thermal::synthesise_tool, Result::tables);
 }
 std::unique_ptr<Command> thermal_sensor_command() { return tool("sensor", Data::none, thermal::sensor_tool); }
 std::unique_ptr<Command> thermal_mixture_command() { return tool("mixture", Data::none, thermal::mixture_tool); }

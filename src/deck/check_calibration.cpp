@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -182,6 +184,9 @@ void check_calibration(CalibrationDeck& deck, DeckErrors& errors) {
   check_study(deck.study, errors);
   check_observables(deck.observables, "", errors);
   check_experiments(deck, errors);
+  std::vector<std::string> figures;
+  for (const ObservableDeck& o : deck.observables) figures.push_back(o.figure);
+  check_column_names(deck.study, figures, errors);
   check_priors(deck.study, errors);
   check_levels(deck, errors);
   check_points(deck, errors);

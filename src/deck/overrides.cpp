@@ -97,7 +97,8 @@ void assign(toml::table& table, const std::string& key, const std::string& value
   table.insert_or_assign(key, value);
 }
 
-void apply(toml::table& root, const std::string& set_text, Overridden& overridden) {
+/// The path of what it has set.
+std::string apply(toml::table& root, const std::string& set_text, Overridden& overridden) {
   const std::size_t equals = set_text.find('=');
   if (equals == std::string::npos) fail(set_text, "write key=value, such as time.step=2e-6");
   if (has_deep_key(set_text)) fail(set_text, fmt::format("a key has more than {} parts", most_key_parts));
@@ -131,7 +132,9 @@ void apply(toml::table& root, const std::string& set_text, Overridden& overridde
     if (table == nullptr) fail(set_text, fmt::format("\"{}\" is a value and has no keys", path));
   }
   assign(*table, parts.back(), std::string(trimmed(std::string_view(set_text).substr(equals + 1), " \t")));
-  overridden[child(path, parts.back())] = set_text;
+  path = child(path, parts.back());
+  overridden[path] = set_text;
+  return path;
 }
 
 }  // namespace
@@ -142,16 +145,29 @@ Overridden apply_overrides(toml::table& root, const std::vector<std::string>& ov
   return overridden;
 }
 
-std::string told_of_file(const std::string& message, const std::string& path, const std::string& text) {
-  constexpr std::string_view option = "--set ";
-  const std::size_t end = message.find('=');
-  if (message.rfind(option, 0) != 0 || end == std::string::npos) return message;
-  const std::string key = message.substr(option.size(), end - option.size());
+std::vector<std::string> override_paths(toml::table root, const std::vector<std::string>& overrides) {
+  std::vector<std::string> paths;
+  Overridden overridden;
+  for (const std::string& set_text : overrides) paths.push_back(apply(root, set_text, overridden));
+  return paths;
+}
+
+std::optional<std::string> place_of(const std::string& word, const std::string& path, const std::string& text) {
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    if (line.rfind('#', 0) == 0 || line.find(key) == std::string::npos) continue;
-    return fmt::format("{}:{}: {}", path, number, message.substr(option.size()));
+    if (!line.starts_with('#') && line.find(word) != std::string::npos) return fmt::format("{}:{}", path, number);
+  }
+  return {};
+}
+
+std::string told_of_file(const std::string& message, const std::vector<std::string>& overrides, const std::string& path,
+                         const std::string& text) {
+  for (const std::string& set_text : overrides) {
+    if (!message.starts_with(fmt::format("--set {}: ", set_text))) continue;
+    std::optional<std::string> place = place_of(set_text, path, text);
+    if (!place) place = place_of(set_text.substr(0, set_text.find('=')), path, text);
+    if (place) return fmt::format("{}: {}", *place, message.substr(std::string_view("--set ").size()));
   }
   return message;
 }

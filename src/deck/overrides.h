@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,17 @@ namespace repose {
 /// key exists is left to the Reader.
 Overridden apply_overrides(toml::table& root, const std::vector<std::string>& overrides);
 
-/// The message that refuses an override, "--set KEY=...", as one of the file that asked for it: with the path and the
-/// first line of its text that has the key. Another message, and a key that is not there, are left as they are.
-std::string told_of_file(const std::string& message, const std::string& path, const std::string& text);
+/// What each override sets, by one spelling: "pair.0.restitution", whichever of the pair's names it takes. Throws as
+/// apply_overrides.
+std::vector<std::string> override_paths(toml::table root, const std::vector<std::string>& overrides);
+
+/// "path:line" of the first line of a file's text that has the word and is no comment; nothing when none has.
+std::optional<std::string> place_of(const std::string& word, const std::string& path, const std::string& text);
+
+/// The message that refuses one of these overrides, "--set KEY=VALUE: ...", as one of the file that asked for it: with
+/// the path and the first line of its text that has the override, or else its key. Another message, and an override
+/// that the text does not have, are left as they are.
+std::string told_of_file(const std::string& message, const std::vector<std::string>& overrides, const std::string& path,
+                         const std::string& text);
 
 }  // namespace repose

@@ -86,7 +86,8 @@ const toml::node* Reader::find(std::string_view key, const Presence& presence, s
   if (!presence.applies) {
     if (level.type_is_unknown) return nullptr;
     errors_.add(locate(path, found->first.source()),
-                fmt::format("\"{}\" of {} is only allowed with {}; remove it", key, level.title, presence.condition));
+                fmt::format("\"{}\" of {} is only allowed {}{}; remove it", key, level.title,
+                            presence.condition.starts_with("without ") ? "" : "with ", presence.condition));
     return nullptr;
   }
   errors_.locate(path, locate(path, found->second.source()));

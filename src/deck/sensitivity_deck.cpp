@@ -65,6 +65,7 @@ namespace {
 
 void check(SensitivityDeck& deck, DeckErrors& errors) {
   check_study(deck.study, errors);
+  check_column_names(deck.study, deck.figures, errors);
   if (deck.figures.empty()) errors.add("figures", "\"figures\" names none");
   constexpr std::int64_t most = 100000;
   if (deck.study.seeds > most || deck.morris.trajectories > most || deck.morris.levels > most) {

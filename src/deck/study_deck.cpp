@@ -1,7 +1,9 @@
 #include "deck/study_deck.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -10,6 +12,9 @@
 
 namespace repose {
 namespace {
+
+/// Columns of the table of the runs beside parameters and figures.
+constexpr std::array<std::string_view, 5> taken_names = {"experiment", "level", "seed", "state", "reason"};
 
 void check_parameter(ParameterDeck& p, const std::string& section, DeckErrors& errors) {
   if (p.points > 0 && !p.values.empty()) {
@@ -51,8 +56,17 @@ void check_study(StudyDeck& study, DeckErrors& errors) {
       if (other.key == p.key)
         errors.add(section + ".key", fmt::format("\"{}\" is another parameter's key, too", p.key));
     }
-    if (p.name == "seed") errors.add(section + ".name", "\"seed\" is the name of the seed");
+    if (std::find(taken_names.begin(), taken_names.end(), p.name) != taken_names.end())
+      errors.add(section + ".name", fmt::format("\"{}\" is the name of another column of the tables", p.name));
     if (p.key == "run.seed") errors.add(section + ".key", "\"run.seed\" is set by \"seeds\" and \"first_seed\"");
+  }
+}
+
+void check_column_names(const StudyDeck& study, std::span<const std::string> figures, DeckErrors& errors) {
+  for (std::size_t i = 0; i < study.parameters.size(); ++i) {
+    const std::string& name = study.parameters[i].name;
+    if (std::find(figures.begin(), figures.end(), name) == figures.end()) continue;
+    errors.add(fmt::format("parameter.{}.name", i), fmt::format("\"{}\" is a figure's name, too", name));
   }
 }
 

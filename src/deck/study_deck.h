@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct StudyDeck {
 
 /// Notes what is wrong with the parameters and fills in `min` and `max`.
 void check_study(StudyDeck& study, DeckErrors& errors);
+
+/// Notes parameters with the name of one of these figures, beside which they are columns of one table.
+void check_column_names(const StudyDeck& study, std::span<const std::string> figures, DeckErrors& errors);
 
 /// Notes what is wrong with the priors, which calibrations alone have.
 void check_priors(const StudyDeck& study, DeckErrors& errors);

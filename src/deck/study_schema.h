@@ -31,7 +31,7 @@ void describe_study(V& v, StudyDeck& s, const Presence& base = required) {
   v("base", s.base, Unit::none, any_value, base, "deck to run, relative to this file");
   v("set", s.set, Unit::none, any_value, optional, "keys of the base deck to replace in all runs, as with --set");
   v("seeds", s.seeds, Unit::none, at_least(1), optional, "runs at each point, with successive seeds");
-  v("first_seed", s.first_seed, Unit::none, at_least(0), optional, "run.seed of the first of them");
+  v("first_seed", s.first_seed, Unit::none, from_to(0, 1e15), optional, "run.seed of the first of them");
   v("ranks_per_run", s.ranks_per_run, Unit::none, at_least(1), optional, "ranks that work on one run");
   v.sections("parameter", s.parameters, required, "what runs differ in");
 }

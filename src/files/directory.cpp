@@ -11,6 +11,7 @@
 namespace repose {
 
 void create_output_directory(const std::string& path) {
+  if (path.empty()) throw FileError("--output \"\": names no folder");
   std::error_code reason;
   std::filesystem::create_directories(path, reason);
   if (!std::filesystem::is_directory(path)) {

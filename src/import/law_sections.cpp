@@ -33,7 +33,14 @@ double of_pair(const ImportedScene& scene, const std::string& name, int a, int b
   if (known.values.size() != types * types) {
     refuse(known.place, fmt::format("{} values of {} for {} pairs of types", known.values.size(), name, types * types));
   }
-  return known.values[static_cast<std::size_t>(a - 1) * types + static_cast<std::size_t>(b - 1)];
+  const auto value = [&](int row, int column) {
+    return known.values[static_cast<std::size_t>(row - 1) * types + static_cast<std::size_t>(column - 1)];
+  };
+  if (value(a, b) != value(b, a)) {
+    refuse(known.place, fmt::format("{} of types {} and {} is {}, of {} and {} it is {}: the matrix must be symmetric",
+                                    name, a, b, value(a, b), b, a, value(b, a)));
+  }
+  return value(a, b);
 }
 
 bool has_stiffnesses(const ScriptModel& model) { return model.normal == "hooke/stiffness"; }

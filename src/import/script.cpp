@@ -122,6 +122,7 @@ class Reader {
       ++at;
       if (!jump) continue;
       file = jump->file == "SELF" ? file : jump->file;
+      lines_to_follow(file, place);
       at = jump->label.empty() ? 0 : label_in(file, jump->label, place);
     }
   }
@@ -136,6 +137,15 @@ class Reader {
     const auto found = files_.find(file);
     if (found != files_.end()) return found->second;
     return files_[file] = lines_of(read_file_(file));
+  }
+
+  /// FileError with the line that names the file when it cannot be read.
+  void lines_to_follow(const std::string& file, const Place& place) {
+    try {
+      lines_in(file);
+    } catch (const FileError& error) {
+      throw FileError(fmt::format("{}: {}", repose::text(place), error.what()));
+    }
   }
 
   std::size_t label_in(const std::string& file, const std::string& label, const Place& place) {
@@ -171,7 +181,9 @@ class Reader {
     } else if (name == "jump") {
       return jump(rest);
     } else if (name == "include") {
-      follow(rest.word("the file to include"), depth + 1);
+      const std::string& file = rest.word("the file to include");
+      lines_to_follow(file, place);
+      follow(file, depth + 1);
     } else if (name == "if") {
       return condition(rest, depth);
     } else if (name == "quit") {

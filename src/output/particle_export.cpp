@@ -42,9 +42,13 @@ std::string vtp_text(const SnapshotParticles& snapshot) {
   return text + poly_data_end(data);
 }
 
+namespace {
+constexpr const char* csv_header = "x,y,z,vx,vy,vz,wx,wy,wz,radius,material\n";
+}  // namespace
+
 std::string csv_text(const SnapshotParticles& snapshot) {
   const NewParticles& p = snapshot.particles;
-  std::string text = "x,y,z,vx,vy,vz,wx,wy,wz,radius,material\n";
+  std::string text = csv_header;
   for (std::size_t i = 0; i < p.size(); ++i) {
     for (const Vec3& v : {p.position[i], p.velocity[i], p.spin[i]}) {
       for (const double value : {v.x, v.y, v.z}) text += shortest_text(value) + ",";
@@ -56,10 +60,10 @@ std::string csv_text(const SnapshotParticles& snapshot) {
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats = {
-      {"vtp", "PolyData of VTK", vtp_text},
-      {"csv", "a list that measure and decks read", csv_text},
-      {"dump", "a text dump of LIGGGHTS and LAMMPS", dump_text},
-      {"h5md", "the HDF5 format of molecular dynamics", h5md_bytes},
+      {"vtp", "PolyData of VTK", vtp_text, "Name=\"angular_velocity\""},
+      {"csv", "a list that measure and decks read", csv_text, csv_header},
+      {"dump", "a text dump of LIGGGHTS and LAMMPS", dump_text, "ITEM: TIMESTEP\n"},
+      {"h5md", "the HDF5 format of molecular dynamics", h5md_bytes, "h5md"},
   };
   return formats;
 }

@@ -21,6 +21,7 @@ struct ExportFormat {
   std::string name;
   std::string meaning;  ///< in the help
   std::string (*text)(const SnapshotParticles& snapshot);
+  std::string mark;  ///< every file of this format has it near its beginning, and none that other commands write
 };
 const std::vector<ExportFormat>& export_formats();
 

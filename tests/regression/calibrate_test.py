@@ -431,6 +431,40 @@ class Calibrate(FolderTest):
                          {key: alone[key] for key in ("verdict", "points", "parts", "surfaces")})
         self.assertIn("Left out of the estimate: large. Too few points of large are done", self.report(self.output))
 
+    def test_keys_that_the_study_sets_itself_are_refused(self):
+        """They would be set in vain."""
+        sliding = "pair.0.sliding_friction=0.7"
+        for key, message in ((sliding, f'study.toml:6: {sliding}: parameter "sliding" sets this key, too'),
+                             ("run.seed=3", 'study.toml:6: run.seed=3: "seeds" and "first_seed" set this key, too')):
+            self.refused(self.write(LINE + MASS, sets=[*REDUCED, key]), message)
+        path = self.write(LINE + MASS)
+        for override, setter in (("pair.carbohsp-carbohsp.sliding_friction=0.7", 'parameter "sliding"'),
+                                 ("run . seed=3", '"seeds" and "first_seed"')):
+            done = self.call("calibrate", path, "--set", override, env=REFUSED)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(f"repose: --set {override}: {setter} ", done.stderr)
+        again = SLIDING.replace('"sliding"', '"again"').replace("pair.0.", "pair.carbohsp-carbohsp.") + "values = [0.2, 0.3]\n"
+        self.refused(self.write(LINE + again + MASS + RATE), 'parameter "again" sets this key, too')
+
+    def test_parameters_that_cannot_be_estimated_are_refused(self):
+        def points(*values):
+            return "".join(f"[[point]]\nvalues = {list(value)}\n" for value in values)
+        ends = SLIDING + "min = 0.1\nmax = 0.8\n" + RESTITUTION + "min = 0.1\nmax = 0.9\n" + MASS + RATE
+        message = 'parameter "restitution" is 0.5 at all points; to estimate it takes two values or more'
+        self.refused(self.write(ends + points((0.1, 0.5), (0.3, 0.5), (0.5, 0.5), (0.7, 0.5))), message)
+        one = RESTITUTION + "values = [0.5]\nmin = 0.1\nmax = 0.9\n"
+        self.refused(self.write(LINE + one + MASS + RATE), message)
+        self.refused(self.write(LINE.replace('"sliding"', '"level"') + MASS), '"level" is the name of another column of the tables')
+        self.refused(self.write(LINE.replace('"sliding"', '"discharged_mass_kg"') + MASS), "is a figure's name, too")
+        self.refused(self.write(LINE.replace('"sliding"', f'"{"s" * 220}"') + MASS), "shorten the names of the parameters")
+        self.refused(self.write("first_seed = 9223372036854775807\n" + LINE + MASS), "first_seed")
+
+    def test_a_figure_that_no_run_has_is_told_with_its_line(self):
+        path = self.write(LINE + MASS.replace("discharged_mass_kg", "discharged_mass"))
+        with open(path) as file:
+            line = 1 + file.read().splitlines().index('figure = "discharged_mass"')
+        self.refused(path, f'{path}:{line}: "discharged_mass" is no figure that runs have; did you mean "discharged_mass_kg"?')
+
     def test_wrong_levels_are_refused(self):
         def wrong(old, new, message):
             with open(self.levels()) as file:

@@ -54,7 +54,7 @@ class CommandLine(FolderTest):
 
     def test_keys_of_a_command_that_has_none(self):
         for command in ("info", "check", "fields"):
-            self.fails(2, rf'no keys of "{command}", but of calibrate, compare, photo, run, .*thermal bed, .*validate$', "keys", command)
+            self.fails(2, rf'no keys of "{command}", but of calibrate, compare, photo, photo pile, photo plate, run, .*thermal bed, .*validate$', "keys", command)
 
     def test_check_names_the_tool_of_a_file(self):
         for name, command in (("thermal_bed_sand", "thermal bed"), ("thermal_mixture", "thermal mixture"),
@@ -99,6 +99,8 @@ class CommandLine(FolderTest):
     def test_wrong_command_line_is_2(self):
         self.fails(2, "output", "run", self.quick)
         self.fails(2, "frobnicate", "frobnicate")
+        self.fails(2, r'"--quiet" belongs behind the command: repose run --quiet \.\.\.; see repose run --help', "--quiet", "run", self.quick)
+        self.fails(4, r'--output "": names no folder', "run", self.quick, "--output", "")
 
     def test_wrong_deck_is_2_and_leaves_nothing(self):
         output = self.path("out")

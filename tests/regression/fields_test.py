@@ -146,7 +146,8 @@ class Fields(FolderTest):
         for other in ("packing.toml", "sand_mono.toml"):
             self.fails(2, "has other materials or walls than the deck in .*checkpoint_", "fields", self.checkpoint, *out,
                        "--deck", self.program.deck(other))
-        self.assertFalse(os.path.exists(self.path("fields/fields.pvd")))
+        self.fails(4, "absent.hdf: cannot open", "fields", self.checkpoint, self.path("absent.hdf"), *out)
+        self.assertFalse(os.path.exists(self.path("fields")))
 
 
 if __name__ == "__main__":

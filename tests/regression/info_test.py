@@ -9,6 +9,7 @@ import glob
 import json
 import os
 import pathlib
+import shutil
 import sys
 import tempfile
 import unittest
@@ -194,8 +195,15 @@ class Info(unittest.TestCase):
         pathlib.Path(self.path("notes.txt")).write_text("mine")
         self.refused("export", self.snapshot, "--format", "csv", "--output", self.path("notes.txt"), message="is no export")
         self.assertEqual(pathlib.Path(self.path("notes.txt")).read_text(), "mine")
-        self.export("twice.csv", "csv")
-        self.export("twice.csv", "csv")
+        for format in ("csv", "vtp", "dump", "h5md"):
+            self.export(f"twice.{format}", format)
+            self.export(f"twice.{format}", format)
+        for name, text in (("mine.csv", "x,y,z,radius\n"), ("walls.vtp", '<?xml version="1.0"?>\n<VTKFile type="PolyData">\n')):
+            pathlib.Path(self.path(name)).write_text(text)
+            self.refused("export", self.snapshot, "--format", name.split(".")[1], "--output", self.path(name), message="is no export")
+        other = shutil.copy(self.snapshot, self.path("other.hdf"))
+        self.refused("export", self.snapshot, "--format", "h5md", "--output", other, message="is no export")
+        self.assertEqual(pathlib.Path(other).read_bytes(), before)
 
 
 if __name__ == "__main__":

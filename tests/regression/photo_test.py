@@ -241,6 +241,9 @@ class OneState(Photographs):
             else:
                 base = exact["scattering"]["base_diameter_m"]
                 self.assertAlmostEqual(found["photographs"][0]["base_diameter_m"] / base, 1.0, delta=BASE)
+        arguments[arguments.index("60")] = "1e9"
+        self.assertEqual(self.lab.program.call(*arguments).returncode, 2)
+        self.assertEqual(read_json(os.path.join(output, "measurement.json")), exact, "a refused scale has cost the results before")
 
     def test_what_is_no_photograph_is_refused_in_one_line(self):
         picture, scale = photographer.side_view(self.lab.centres, self.lab.radii, -self.lab.plate, SIDE[0])

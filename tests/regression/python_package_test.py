@@ -75,6 +75,15 @@ class Package(SharedFolderTest):
         error = self.raises("^ended with exit code 137$", repose.run, "a.toml", self.path("none"), program=killed)
         self.assertEqual(error.code, 137)
 
+    def test_what_mpirun_says_is_what_fails(self):
+        crowded = self.path("mpirun")
+        with open(crowded, "w") as file:
+            file.write("#!/bin/sh\ncat >&2 <<END\n" + "-" * 70 + "\nThere are not enough slots for the 9\nthat were asked for:\n\n"
+                       "  repose\n" + "-" * 70 + "\nEND\nexit 1\n")
+        os.chmod(crowded, 0o755)
+        self.raises("^There are not enough slots for the 9 that were asked for:$", repose.run, "a.toml", self.path("none"), ranks=9,
+                    program=self.program.executable, mpirun=crowded)
+
     def test_the_program_is_found(self):
         before = dict(os.environ)
         self.addCleanup(lambda: (os.environ.clear(), os.environ.update(before)))

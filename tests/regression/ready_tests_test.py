@@ -142,6 +142,8 @@ class ReadyTests(FolderTest):
         self.fails(2, r"--grains 20: must be a number from 100", "new", "ledge", "--grains", "20")
         self.fails(2, r"--restitution 2: must be a number from 0 to 1", "new", "ledge", "--restitution", "2")
         self.fails(2, r"--grains 1e9: must be a number from 100 to less than 1e9", "new", "ledge", "--grains", "1e9")
+        for test in ("tilting_box", "direct_shear"):
+            self.fails(2, f"{test} of this size cannot be set up; take more --grains: ", "new", test, "--grains", "100")
         path = self.new("ledge")
         self.fails(4, r"is there already; name another file", "new", "ledge", "--output", path)
         self.fails(4, r"nowhere", "new", "ledge", "--output", self.path("nowhere/ledge.toml"))

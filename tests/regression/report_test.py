@@ -114,6 +114,17 @@ class Report(SharedFolderTest):
             self.assertLessEqual({v for v in grid[figure] if v == v}, set(values))
         self.assertEqual(page.root.find(".//section[@class='state']"), None)
         self.assertIn("seeds = 2", page.words("repeat"))
+        self.assertIn("Phase discharge was ended by its max_time, not by its condition, in 12 of 12 runs", page.words("warnings"))
+
+    def test_results_of_other_parameters_are_none_of_this_calibration(self):
+        output = shutil.copytree(self.study("calibrate", head(self.base) + GRID), self.path("renamed"))
+        path = os.path.join(output, "calibration.toml")
+        text = self.text(path)
+        with open(path, "w") as file:
+            file.write(text.replace('name = "restitution"', 'name = "bounce"'))
+        page = self.page(output)
+        self.assertIn("There is no estimate yet", page.words("answer"))
+        self.assertIn("Not one run is complete", page.text)
 
     def test_a_calibration_with_a_prior(self):
         prior = 'prior = "normal"\nprior_mean = 0.5\nprior_deviation = 0.05\n'
@@ -191,7 +202,9 @@ class Report(SharedFolderTest):
         self.assertEqual({node.get("href") is None for node in marks}, {True, False})
 
     def test_a_calibration_of_one_parameter(self):
-        page = self.page(self.study("calibrate", head(self.base) + SLIDING + "values = [0.1, 0.2, 0.3, 0.4]\n" + MASS))
+        page = self.page(self.study("calibrate", head(self.base) + SLIDING + "values = [0.1, 0.2, 0.3, 0.4]\n" + MASS +
+                                    "discrepancy_share = 0.1\n"))
+        self.assertIn("without the discrepancy of the model", page.words("others"))
         pictures = [node.get("aria-label") for node in page.section("surfaces").iter("svg")]
         self.assertEqual(pictures, ["discharged_mass_kg over sliding"])
         self.assertEqual(sum(node.get("class") == "run" for node in page.section("surfaces").iter("a")), 8)
@@ -205,8 +218,8 @@ class Report(SharedFolderTest):
         for observable in estimate["observables"]:
             for link in observable["links"]:
                 self.assertIn((link["rho"], link["rho_standard_error"]), page.titled("levels")["rho"])
-        self.assertIn("small alone", page.words("levels"))
-        self.assertIn("without the discrepancy", page.words("levels"))
+        self.assertIn("small alone", page.words("others"))
+        self.assertIn("without the discrepancy", page.words("others"))
         from repose import Calibration
         search = Calibration(output).search
         self.assertLessEqual({v for v in search["half_width"] if v == v} | set(search["core_hours"]),
@@ -224,6 +237,15 @@ class Report(SharedFolderTest):
         for e in result["morris"]:
             self.assertIn((e["mu_star"], e["mu_star_error"]), found)
         self.assertIn("boxes", page.ids)
+        self.assertNotIn("With one seed", page.words("answer"))
+
+    def test_a_sensitivity_study_of_one_seed(self):
+        output = self.study("sensitivity", head(self.base).replace("seeds = 2", "seeds = 1") + MORRIS)
+        result, page = self.read(output, "sensitivity.json"), self.page(output)
+        for e in result["one_at_a_time"]:
+            self.assertIsNone(e["standard_error"])
+            self.assertIn(e["effect"], page.values("answer"))
+        self.assertIn("With one seed an effect has no standard error", page.words("answer"))
 
     def test_a_validation(self):
         text = 'title = "two cases"\npublished = "theirs"\n' + "".join(
@@ -240,6 +262,11 @@ class Report(SharedFolderTest):
                     self.assertIn((c["here"], c["error"]), found[c["figure"]])
         mass = result["cases"][0]["comparisons"][0]
         self.assertIn(100.0 * (mass["here"] / mass["laboratory"] - 1.0), page.values("answer"))
+        three = os.path.join(output, "three")
+        os.mkdir(three)
+        shutil.copy(os.path.join(output, "one", "deck.resolved.toml"), three)
+        self.assertIn("that of an earlier call; not in it are three", self.page(output).text)
+        shutil.rmtree(three)
         os.remove(os.path.join(output, "validation.json"))
         self.assertIn("2 of 2 cases that have begun are done", self.page(output).text)
 

@@ -60,6 +60,7 @@ class Thermal(FolderTest):
             with open(self.program.deck(f"thermal_{name}.toml"), "rb") as file:
                 self.has_keys(done.stdout, tomllib.load(file), "")
         self.fails(2, "there are no keys of \"thermal bad\"; did you mean thermal bed?", "keys", "thermal", "bad")
+        self.assertEqual(self.program.call("keys", "photo", "pile").stdout, self.program.call("keys", "photo").stdout)
         self.fails(2, "there are no keys of \"thermal\"; did you mean thermal", "keys", "thermal")
 
     def has_keys(self, text, section, name):
@@ -129,20 +130,22 @@ class Thermal(FolderTest):
     def test_mistakes_are_one_line(self):
         bed = self.program.deck("thermal_bed_sand.toml")
         tps = self.program.deck("thermal_tps_steel.toml")
+        output = ("--output", self.path("made"))
+        self.fails(2, "--output is required", "thermal", "synthesise", tps)
         unsorted = self.write("unsorted.csv", "time,temperature\n1,1\n3,2\n2,3\n")
         few = self.write("few.csv", "time,temperature\n1,1\n2,1.5\n")
         self.fails(2, "gives the porosity -0.03", "thermal", "bed", bed, "--set", "bulk_density=2600")
         self.fails(2, "gives the porosity -0.03", "thermal", "bed", bed, "--set", "bulk_density=2600", ranks=2)
         self.fails(2, "conductivity.0.conductivity_W_mK would be", "thermal", "bed", bed, "--set", "bulk_density=1e-300")
-        self.fails(2, "sample_rise_K would be inf", "thermal", "synthesise", tps, "--set", "evaluation.power=1e308")
+        self.fails(2, "sample_rise_K would be inf", "thermal", "synthesise", tps, *output, "--set", "evaluation.power=1e308")
         self.fails(2, "unsorted.csv:4: time = 2 does not come after 3", "thermal", "tps", unsorted, "--deck", tps)
         self.fails(2, "few.csv: 2 points after time 0", "thermal", "tps", few, "--deck", tps)
         mica = self.program.deck("thermal_tps_mica.toml")
-        self.fails(2, '"thickness" = -1e-06 is out of range', "thermal", "synthesise", mica, "--set",
+        self.fails(2, '"thickness" = -1e-06 is out of range', "thermal", "synthesise", mica, *output, "--set",
                    "synthetic.layer.0.thickness=-1 um")
-        self.fails(2, '"conductivity" = 0 is out of range', "thermal", "synthesise", mica, "--set",
+        self.fails(2, '"conductivity" = 0 is out of range', "thermal", "synthesise", mica, *output, "--set",
                    "synthetic.layer.0.conductivity=0")
-        self.fails(2, "contact_rise_K would be", "thermal", "synthesise", mica, "--set",
+        self.fails(2, "contact_rise_K would be", "thermal", "synthesise", mica, *output, "--set",
                    "synthetic.layer.0.conductivity=1e-300")
         self.fails(2, 'unknown key "bulk_densty"', "thermal", "bed", bed, "--set", "bulk_densty=2600")
         self.fails(2, "see repose thermal --help", "thermal")

@@ -106,7 +106,7 @@ class Validate(FolderTest):
                 ({"name": "one", "figure": "phases"}, 2, '"phases" is no figure that runs have'),
                 ({"name": "../one"}, 2, "names a folder"),
                 ({"name": "one", "deck": "absent.toml"}, 4, "absent.toml: cannot open"),
-                ({"name": "other", "set": ["run.sed=1"]}, 2, "--set run.sed=1:")):
+                ({"name": "other", "set": ["run.sed=1"]}, 2, "validation.toml:6: run.sed=1: unknown key")):
             done = self.validate(self.write(case))
             self.assertEqual(done.returncode, code, done.stderr)
             self.assertIn(message, done.stderr)

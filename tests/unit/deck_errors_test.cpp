@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "deck/overrides.h"
+#include "deck/parse_toml.h"
 #include "deck/read_deck.h"
 #include "deck_example.h"
 
@@ -439,11 +440,27 @@ TEST(DeckErrors, AnOverrideIsUtf8) {
 
 TEST(DeckErrors, AnOverrideOfAStudyHasTheLineOfTheStudy) {
   const std::string study = "# pair.0.friktion\n[[parameter]]\nkey = \"pair.0.friktion\"\n";
-  EXPECT_EQ(told_of_file("--set pair.0.friktion=0.2: unknown key", "study.toml", study),
-            "study.toml:3: pair.0.friktion=0.2: unknown key");
-  for (const std::string message : {"--set time.step=0: out of range", "deck.toml:3: pair.0.friktion=0.2"}) {
-    EXPECT_EQ(told_of_file(message, "study.toml", study), message);
+  const std::vector<std::string> overrides = {"time.step=0", "pair.0.friktion=0.2", "time.step"};
+  const auto told = [&](const std::string& message, const std::string& text) {
+    return told_of_file(message, overrides, "study.toml", text);
+  };
+  EXPECT_EQ(told("--set pair.0.friktion=0.2: unknown key", study), "study.toml:3: pair.0.friktion=0.2: unknown key");
+  EXPECT_EQ(told("--set time.step: write key=value", study + "set = [\"time.step\"]\n"),
+            "study.toml:4: time.step: write key=value");
+  EXPECT_EQ(told("--set time.step=0: out of range", "set = [\"time.step=1\",\n\"time.step=0\"]"),
+            "study.toml:2: time.step=0: out of range");
+  for (const std::string message : {"--set time.step=0: out of range", "--set pair.0.friktion=0.3: of the command line",
+                                    "deck.toml:3: pair.0.friktion=0.2"}) {
+    EXPECT_EQ(told(message, study), message);
   }
+}
+
+TEST(DeckErrors, AnOverrideHasOnePathHoweverItNamesASection) {
+  const toml::table deck = parse_toml(example_deck, "deck.toml");
+  const auto paths = [&](const std::vector<std::string>& overrides) { return override_paths(deck, overrides); };
+  EXPECT_EQ(
+      paths({"pair.1.restitution=0.5", "pair.glass-steel.restitution=0.5", "pair.01.restitution=0.5", " run . seed=3"}),
+      (std::vector<std::string>{"pair.1.restitution", "pair.1.restitution", "pair.1.restitution", "run.seed"}));
 }
 
 TEST(DeckErrors, AnOverrideThatOpensASectionOwesItsKeys) {

@@ -448,6 +448,20 @@ TEST(ImportDeck, DividesADistributionByMaterials) {
   EXPECT_EQ(deck.particles[1].count, 40);
 }
 
+TEST(ImportDeck, RefusesAPairThatIsNoPairTheOtherWayRound) {
+  std::string script = with("create_box 1", "create_box 2");
+  const auto replace = [&](const std::string& one, const std::string& two) {
+    script.replace(script.find(one), one.size(), two);
+  };
+  replace("youngsModulus peratomtype 5e6", "youngsModulus peratomtype 5e6 5e6");
+  replace("poissonsRatio peratomtype 0.4", "poissonsRatio peratomtype 0.4 0.4");
+  replace("Restitution peratomtypepair 1 0.6", "Restitution peratomtypepair 2 0.6 0.6 0.6 0.6");
+  replace("coefficientFriction peratomtypepair 1 0.3", "coefficientFriction peratomtypepair 2 0.3 0.1 0.9 0.3");
+  replace("type 1 zplane", "type 2 zplane");
+  EXPECT_EQ(error_of(script),
+            "in.x:9: coefficientFriction of types 1 and 2 is 0.1, of 2 and 1 it is 0.9: the matrix must be symmetric");
+}
+
 TEST(ImportDeck, KeepsWhatTheFirstRunHasAndListsTheRest) {
   const auto [deck, imported] =
       import_text(test::falling +

@@ -79,6 +79,19 @@ TEST(Script, IncludesAndTakesVariablesOfTheCommandLine) {
   const Files files = {{"in", "variable r index 1\ninclude more\nc $r"}, {"more", "d $r"}};
   EXPECT_EQ(commands_of(files), (Lines{"1: d 1", "3: c 1"}));
   EXPECT_EQ(commands_of(files, {"r=7"}), (Lines{"1: d 7", "3: c 7"}));
+  for (const std::string command : {"include more", "jump more"}) {
+    try {
+      read_script(
+          "in",
+          [&](const std::string& file) -> std::string {
+            return file == "in" ? "variable a index 1\n" + command : throw FileError(file + ": cannot open");
+          },
+          {}, [](const ScriptCommand&) {});
+      ADD_FAILURE() << "a file that is not there was read";
+    } catch (const FileError& error) {
+      EXPECT_STREQ(error.what(), "in:2: more: cannot open");
+    }
+  }
 }
 
 TEST(Script, WritesFormulasAsLiggghtsDoes) {

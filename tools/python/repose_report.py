@@ -16,12 +16,20 @@ def main():
     arguments.add_argument("directory", metavar="DIR", help="of a run, calibration, validation or sensitivity study")
     arguments.add_argument("--output", metavar="FILE", help="the report; default: DIR/report.html")
     chosen = arguments.parse_args()
+    if sys.version_info < (3, 11):
+        print("repose: report needs Python 3.11 or newer; name one in REPOSE_PYTHON", file=sys.stderr)
+        return FAILED
     try:
-        from repose import ReposeError, report
+        return write(chosen)
     except ModuleNotFoundError as error:
         print(f"repose: report needs the Python module {error.name}; install it ({DEBIAN}), or name "
               "in REPOSE_PYTHON a Python that has it", file=sys.stderr)
         return FAILED
+
+
+def write(chosen):
+    """The report that was chosen; an exit code."""
+    from repose import ReposeError, report
     try:
         print(report.write(chosen.directory, chosen.output))
     except ReposeError as error:

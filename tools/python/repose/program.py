@@ -1,5 +1,6 @@
 """Starting the program."""
 
+import itertools
 import json
 import os
 import pathlib
@@ -46,6 +47,20 @@ def value_text(value):
     return str(value).lower() if isinstance(value, bool) else repr(value)
 
 
+def reason_of(stderr):
+    """The one line that says why a call failed: the program's own, or the beginning of what mpirun has put between lines of
+    dashes; None for an empty text."""
+    said = [line for line in stderr.strip().splitlines() if not line.startswith("repose: warning: ")]
+    own = [line for line in said if line.startswith("repose: ")]
+    if own:
+        return own[-1].removeprefix("repose: ")
+    framed = [n for n, line in enumerate(said) if line and not line.strip("-")]
+    if not framed:
+        return said[-1] if said else None
+    paragraph = itertools.takewhile(str.strip, itertools.dropwhile(lambda line: not line.strip(), said[framed[0] + 1:]))
+    return " ".join(line.strip() for line in paragraph if line.strip("-")) or said[-1]
+
+
 def call(arguments, ranks=1, program=None, mpirun="mpirun"):
     """Runs `repose` with arguments; what it prints. `mpirun` starts it on several ranks. A failure raises ReposeError
     with the program's one line, which no warning is, and its exit code."""
@@ -57,10 +72,7 @@ def call(arguments, ranks=1, program=None, mpirun="mpirun"):
     except OSError as error:
         raise ReposeError(f"{command[0]}: cannot be started: {error.strerror}") from None
     if done.returncode != 0:
-        said = [line for line in done.stderr.strip().splitlines() if not line.startswith("repose: warning: ")]
-        own = [line for line in said if line.startswith("repose: ")]
-        line = (own or said or [f"ended with exit code {done.returncode}"])[-1]
-        raise ReposeError(line.removeprefix("repose: "), done.returncode)
+        raise ReposeError(reason_of(done.stderr) or f"ended with exit code {done.returncode}", done.returncode)
     return done.stdout
 
 

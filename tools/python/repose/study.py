@@ -30,8 +30,15 @@ class Study:
 
     @property
     def is_complete(self):
-        """Whether the result is there. It may be older than the newest runs."""
-        return (self.directory / self.result_file).exists()
+        """Whether there is a result of these parameters. It may be older than the newest runs."""
+        path = self.directory / self.result_file
+        return path.exists() and [parameter["name"] for parameter in read_json(path)["parameters"]] == self.parameters
+
+    @property
+    def has_grid(self):
+        """Whether there is a table of runs over these parameters."""
+        path = self.directory / "grid.csv"
+        return path.exists() and set(self.parameters) <= set(read_rows(path)[0])
 
     @functools.cached_property
     def deck(self):
@@ -56,7 +63,7 @@ class Study:
 
     def _result(self):
         if not self.is_complete:
-            raise ReposeError(f"{self.directory}: has no {self.result_file}: the runs are not complete")
+            raise ReposeError(f"{self.directory}: has no {self.result_file} of {self.deck_file}: the runs are not complete")
         return read_json(self.directory / self.result_file)
 
     @functools.cached_property

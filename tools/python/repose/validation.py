@@ -39,6 +39,11 @@ class Validation:
         return self.result["title"] if self.is_complete else ""
 
     @property
+    def not_compared(self):
+        """Names of cases that have begun and are not in validation.json, which an earlier call has written."""
+        return sorted({folder.name for folder in self._folders()} - set(self.cases)) if self.is_complete else []
+
+    @property
     def cases(self):
         """By name, the comparisons of each case: `figure`, `here` with `error`, `laboratory` with `deviation`,
         `published`; in the unit of the figure, None where there is none."""

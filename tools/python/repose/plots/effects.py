@@ -10,17 +10,17 @@ KINDS = {"one_at_a_time": ("effect", "standard_error", "from lower to upper valu
 
 
 def draw_effects(axes, study, figure, kind):
-    """Bars with their standard errors; a word where an effect could not be told."""
+    """Bars with their standard errors, if these are known; a word where an effect could not be told."""
     value, error, title = KINDS[kind]
     found = study.effects(figure) if kind == "one_at_a_time" else study.morris(figure)
     name, factor = quantity(figure)
     values = [math.nan if e[value] is None else factor * e[value] for e in found.values()]
-    errors = [0.0 if e[error] is None else factor * e[error] for e in found.values()]
+    errors = [None if e[error] is None else [factor * e[error]] for e in found.values()]
     for place, (mean, spread) in enumerate(zip(values, errors)):
         if math.isnan(mean):
             axes.text(0.02, place, "none", transform=axes.get_yaxis_transform(), va="center", fontsize=8, color="0.35")
         else:
-            axes.barh([place], [mean], xerr=[spread], color="tab:blue", alpha=0.7, capsize=3)
+            axes.barh([place], [mean], xerr=spread, color="tab:blue", alpha=0.7, capsize=3)
     axes.axvline(0.0, color="black", linewidth=0.8)
     axes.set_yticks(range(len(found)), [words(parameter) for parameter in found])
     axes.set_ylim(len(found) - 0.5, -0.5)

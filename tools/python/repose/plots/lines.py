@@ -6,7 +6,7 @@ from repose.units import quantity, words
 
 
 def draw_runs_over(axes, study, parameter, figure, factor):
-    """Dots with a mark of its own for each level; `gid` is the row of the grid."""
+    """Dots with a mark of its own for each level, crosses for plugged runs; `gid` is the row of the grid."""
     grid, values = study.grid, study.column(figure)
     for n, level in enumerate(study.levels or [None]):
         label = level
@@ -14,9 +14,11 @@ def draw_runs_over(axes, study, parameter, figure, factor):
             value = values[row]
             if value != value or grid["state"][row] == "failed" or (level is not None and grid["level"][row] != level):
                 continue
-            axes.plot([grid[parameter][row]], [factor * value], LEVEL_MARKS[n % len(LEVEL_MARKS)], color="0.4",
-                      markersize=4,
-                      label=label, gid=f"run-{row}")
+            at = [grid[parameter][row]], [factor * value]
+            if grid["state"][row] == "plugged":
+                axes.plot(*at, "x", color="0.4", markersize=7, gid=f"run-{row}")
+                continue
+            axes.plot(*at, LEVEL_MARKS[n % len(LEVEL_MARKS)], color="0.4", markersize=4, label=label, gid=f"run-{row}")
             label = None
 
 

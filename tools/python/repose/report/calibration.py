@@ -77,6 +77,13 @@ def posterior_warnings(estimate):
     return listed
 
 
+def overdue_text(phase):
+    """Of how many runs a phase did not come to what it waited for."""
+    of = " of ".join(phase[key] for key in ("level", "experiment") if key in phase)
+    return html.escape(f"Phase {phase['phase']} was ended by its max_time, not by its condition, in {phase['runs']} of "
+                       f"{phase['of']} runs{' of ' + of if of else ''}: a bed that is not at rest may lie denser.")
+
+
 def warnings(found, runs):
     listed = []
     if found.is_complete:
@@ -95,6 +102,7 @@ def warnings(found, runs):
             listed.append("The region is open: it meets the end of the range of "
                           f"{html.escape(', '.join(open_ends))} and may go on beyond.")
         listed += posterior_warnings(estimate)
+        listed += [overdue_text(phase) for phase in estimate.get("ended_by_max_time", ())]
         for o in estimate["observables"]:
             if o["nearest_off_by"] is not None and abs(o["nearest_off_by"]) > 2.0:
                 listed.append(f"{numbers.name(o['figure'])} is off by "
@@ -229,17 +237,30 @@ def levels(found):
               numbers.data(f"{100 * link['explained']:.0f} %" if link["explained"] is not None else "none",
                            link["explained"])]
              for o in estimate["observables"] for link in o.get("links", ())]
-    text += html.table(["figure", "levels", "rho", "explained"], links, numeric=(2, 3))
-    for key, title in (("first_level_alone", f"{found.levels[0]} alone"),
-                       ("without_discrepancy", "without the discrepancy of the model")):
-        if key in estimate:
-            other = {**estimate, **estimate[key]}
-            text += html.element("h3", html.escape(title)) + html.paragraph(html.escape(other["verdict"]))
-            text += "".join(point_lines(other, point) for point in other["points"])
-            if not other["points"] and "nearest" in estimate[key] and other["nearest"]["acceptable"]:
-                text += nearest_lines(other)
-            text += other_part_lines(other)
-    return text
+    return text + html.table(["figure", "levels", "rho", "explained"], links, numeric=(2, 3))
+
+
+def other_estimate(estimate, content, title):
+    """What a part of the runs, or of what was asked, would say."""
+    other = {**estimate, **content}
+    text = html.element("h3", html.escape(title)) + html.paragraph(html.escape(other["verdict"]))
+    text += "".join(point_lines(other, point) for point in other["points"])
+    if not other["points"] and other["nearest"]["acceptable"]:
+        text += nearest_lines(other)
+    return text + other_part_lines(other)
+
+
+def other_estimates(found):
+    """The estimates beside that of all runs: of the cheapest level, of each test, without a discrepancy."""
+    if not found.is_complete:
+        return ""
+    estimate = found.estimate
+    others = list(estimate.get("experiments_alone", {}).items())
+    if "first_level_alone" in estimate:
+        others.insert(0, (f"{found.levels[0]} alone", estimate["first_level_alone"]))
+    if "without_discrepancy" in estimate:
+        others.append(("without the discrepancy of the model", estimate["without_discrepancy"]))
+    return "".join(other_estimate(estimate, content, title) for title, content in others)
 
 
 def pictures_of_nearest(found, runs, pictures, rows):
@@ -249,7 +270,7 @@ def pictures_of_nearest(found, runs, pictures, rows):
 
 def report(found):
     """The `Report` of a `Calibration`."""
-    has_runs = (found.directory / "grid.csv").exists()
+    has_runs = found.has_grid
     order = found.nearest_runs if found.is_complete and has_runs else []
     runs, pictures = study.Runs(found, found.figures, order) if has_runs else None, parts.Pictures()
     order = [row for row in order if runs.runs[row]]
@@ -260,7 +281,8 @@ def report(found):
                 Section("asked", "What was asked", asked(found)),
                 Section("nearest", "Runs nearest the answer", pictures_of_nearest(found, runs, pictures, nearest)),
                 Section("search", "Convergence of the search", convergence(found)),
-                Section("levels", "Levels of the model", levels(found))]
+                Section("levels", "Levels of the model", levels(found)),
+                Section("others", "What a part of it says", other_estimates(found))]
     if runs:
         sections += [Section("runs", "Runs", runs.table()),
                      Section("boxes", "Each run", runs.boxes(pictures, nearest)),

@@ -6,6 +6,7 @@ from repose.report.page import Report, Section
 
 
 NO_EFFECT = '<span class="none">no effect above two standard errors</span>'
+NO_ERROR = "With one seed an effect has no standard error: what the runs scatter by is not known, and all effects are listed."
 
 
 def effect_text(figure, effect):
@@ -14,9 +15,9 @@ def effect_text(figure, effect):
 
 
 def matters(effect):
-    """Whether an effect is more than twice its standard error."""
+    """Whether an effect is more than twice its standard error, as far as that is known."""
     error = effect["standard_error"]
-    return effect["effect"] is not None and error is not None and abs(effect["effect"]) > 2.0 * error
+    return effect["effect"] is not None and (error is None or abs(effect["effect"]) > 2.0 * error)
 
 
 def answer(found):
@@ -29,9 +30,11 @@ def answer(found):
         effects.sort(key=lambda e: -abs(e["effect"]))
         told = "<br/>".join(effect_text(figure, e) for e in effects) or NO_EFFECT
         rows.append((numbers.name(figure), told))
+    has_errors = all(e["standard_error"] is not None for figure in found.figures for e in found.effects(figure).values()
+                     if e["effect"] is not None)
     return html.pairs(rows) + html.paragraph(
         "Effects from the lower to the upper value of a parameter, the others at their fixed values; those of more "
-        "than two standard errors, the greatest first.", "none")
+        "than two standard errors, the greatest first." + ("" if has_errors else " " + NO_ERROR), "none")
 
 
 def sample(figure, found):
@@ -84,7 +87,7 @@ def missing(found):
 
 def report(found):
     """The `Report` of a `Sensitivity`."""
-    has_runs = (found.directory / "grid.csv").exists()
+    has_runs = found.has_grid
     runs = study.Runs(found, found.figures) if has_runs else None
     sections = [Section("effects", "Effects", tables(found) if found.is_complete else ""),
                 Section("asked", "What was asked", asked(found))]

@@ -53,7 +53,7 @@ class Runs:
         """What a run is, in words."""
         parts_ = [f"{words(name)} {self.grid[name][row]:g}" for name in self.study.parameters]
         before = "".join(f"{self.grid[key][row]}, " for key in self.groups)
-        return f"{before}{', '.join(parts_)}, seed {self.grid['seed'][row]:g}"
+        return f"{before}{', '.join(parts_)}, seed {self.grid['seed'][row]:.0f}"
 
     def value(self, row, figure):
         """Value and standard error within the run; None where there is none."""
@@ -88,7 +88,7 @@ class Runs:
         cells += [html.escape(self.grid[key][row]) for key in self.groups]
         cells += [numbers.data(f"{self.grid[name][row]:g}", float(self.grid[name][row]))
                   for name in self.study.parameters]
-        cells += [numbers.data(f"{self.grid['seed'][row]:g}", float(self.grid["seed"][row])),
+        cells += [numbers.data(f"{self.grid['seed'][row]:.0f}", float(self.grid["seed"][row])),
                   html.element("span", html.escape(state), class_=MARK.get(state))]
         cells += [numbers.figure(figure, *self.value(row, figure), with_unit=False) for figure in self.figures]
         run = self.runs[row]
@@ -125,7 +125,7 @@ class Runs:
 
 def state(study):
     """How far the runs are; empty when they are done and the result is there."""
-    if not (study.directory / "grid.csv").exists():
+    if not study.has_grid:
         return html.paragraph("Not one run is complete.")
     states = study.states
     open_runs = states["running"] + states["waiting"]

@@ -82,6 +82,8 @@ def differences(found):
     if not shown:
         return ""
     figure, axes = new_figure(figsize=(WIDTH, 1.0 + 0.5 * len(shown)))
+    published = found.result["published"] or "published"
+    first_published = next((place for place, (_, c) in enumerate(shown) if c["published"] is not None), None)
     for place, (name, c) in enumerate(shown):
         over = 100.0 / abs(c["laboratory"])
         here, error = (c["here"] - c["laboratory"]) * over, (c["error"] or 0.0) * over
@@ -92,7 +94,7 @@ def differences(found):
                       label=None if place else "here ± standard error")
         if c["published"] is not None:
             axes.plot((c["published"] - c["laboratory"]) * over, place, "D", color="tab:orange", markersize=4,
-                      label=None if place else found.result["published"] or "published")
+                      label=published if place == first_published else None)
         axes.text(0.01, place - 0.36, f"{name}: {numbers.display(c['figure'])[0]}", fontsize=8,
                   transform=axes.get_yaxis_transform())
     axes.axvline(0.0, color="black", linewidth=0.8)
@@ -112,7 +114,10 @@ def case_html(name, run, pictures):
 
 def state(found):
     if found.is_complete:
-        return ""
+        if not found.not_compared:
+            return ""
+        return html.paragraph(f"The comparison is that of an earlier call; not in it are {', '.join(map(html.escape, found.not_compared))}, "
+                              "which have begun since.")
     runs = found.runs
     done = sum(run.is_complete for run in runs.values())
     return html.paragraph(f"Not complete: {done} of {len(runs)} cases that have begun are done. There is no comparison "

@@ -1,6 +1,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,9 +30,9 @@ constexpr const char* result_file = "/measurement.json";
 constexpr const char* pile_view_file = "/pile_view.png";
 constexpr const char* plate_view_file = "/plate_view.png";
 
-FinishedState read_state(const Deck& deck, const std::string& file, const std::string& output) {
+FinishedState read_state(const Deck& deck, const std::string& file) {
   const std::string bytes = read_whole_file(file);
-  FinishedState state{.deck = deck, .grains = {}, .mass = {}, .left = {}, .directory = output};
+  FinishedState state{.deck = deck, .grains = {}, .mass = {}, .left = {}, .directory = {}};
   NewParticles particles;
   if (is_snapshot(bytes)) {
     particles = parse_snapshot(bytes, file, deck.materials);
@@ -64,15 +65,46 @@ std::vector<const MeasurementKind*> chosen(const Deck& deck) {
   throw DeckError(fmt::format("nothing to measure: the deck has none of {} and {}", fmt::join(sections, ", "), last));
 }
 
-/// What an earlier measurement has left in the same directory would pass for this one's.
-void prepare_directory(const std::string& output) {
-  create_output_directory(output);
-  for (const char* file : {result_file, pile_view_file, plate_view_file}) std::filesystem::remove(output + file);
-  for (const MeasurementKind& kind : measurement_kinds()) {
-    if (kind.measure == nullptr) continue;
-    for (const std::string& name : kind.files) std::filesystem::remove(output + "/" + name);
+/// Where a measurement writes until all of it has succeeded: what an earlier one has left there would pass for this
+/// one's, and must not be lost to one that is refused.
+class Staging {
+ public:
+  explicit Staging(const std::string& output) : output_(output), folder_(output + "/.repose-measure") {
+    create_output_directory(output_);
+    std::filesystem::remove_all(folder_);
+    create_output_directory(folder_);
   }
-}
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+  ~Staging() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+    std::filesystem::remove(output_, ignored);  // if it is empty: it was made here
+  }
+
+  const std::string& folder() const { return folder_; }
+  /// In place of an earlier measurement's files. FileError.
+  void publish() const {
+    for (const char* file : {result_file, pile_view_file, plate_view_file}) remove(output_ + file);
+    for (const MeasurementKind& kind : measurement_kinds()) {
+      if (kind.measure == nullptr) continue;
+      for (const std::string& name : kind.files) remove(output_ + "/" + name);
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      std::filesystem::rename(entry.path(), std::filesystem::path(output_) / entry.path().filename());
+    }
+  }
+
+ private:
+  static void remove(const std::string& path) {
+    std::error_code reason;
+    std::filesystem::remove(path, reason);
+    if (reason) throw FileError(fmt::format("{}: cannot be replaced: {}", path, reason.message()));
+  }
+
+  std::string output_;
+  std::string folder_;
+};
 
 std::string result_text(const FinishedState& state, const std::string& file, const Figures& figures) {
   Figures json = {{"file", file},
@@ -104,24 +136,17 @@ std::string lines_of(const FinishedState& state, const std::vector<const Measure
   return text;
 }
 
-struct NamedFile {
-  std::string path;
-  std::string bytes;
-};
-
 /// The grains as photographs would show them, for `repose photo`.
-std::vector<NamedFile> views_of(const FinishedState& state, double pixels_per_mm) {
+void write_views(const FinishedState& state, double pixels_per_mm) {
   const Deck& deck = state.deck;
-  std::vector<NamedFile> views;
   if (deck.angle_of_repose.enabled) {
-    views.push_back({state.directory + pile_view_file,
-                     photo::png_of(photo::rendered_pile(state.grains, deck.angle_of_repose, pixels_per_mm))});
+    write_text_file(state.directory + pile_view_file,
+                    photo::png_of(photo::rendered_pile(state.grains, deck.angle_of_repose, pixels_per_mm)));
   }
   if (deck.scattering.enabled) {
-    views.push_back({state.directory + plate_view_file,
-                     photo::png_of(photo::rendered_plate(state.grains, deck.scattering, pixels_per_mm))});
+    write_text_file(state.directory + plate_view_file,
+                    photo::png_of(photo::rendered_plate(state.grains, deck.scattering, pixels_per_mm)));
   }
-  return views;
 }
 
 class Measure : public Command {
@@ -157,14 +182,16 @@ class Measure : public Command {
       throw DeckError("--pixels-per-mm needs --output, the directory of the views");
     }
     const std::vector<const MeasurementKind*> kinds = chosen(deck);
-    const FinishedState state = read_state(deck, file_, output_);
-    std::vector<NamedFile> views;  // before the first file is touched: the scale may be refused
-    if (pixels_per_mm_ > 0.0) views = views_of(state, pixels_per_mm_);
-    if (!output_.empty()) prepare_directory(output_);
+    FinishedState state = read_state(deck, file_);
+    std::optional<Staging> staging;
+    if (!output_.empty()) state.directory = staging.emplace(output_).folder();
     Figures figures = no_figures(Figure::From::grains);
     for (const MeasurementKind* kind : kinds) kind->measure(state, figures);
-    for (const NamedFile& view : views) write_text_file(view.path, view.bytes);
-    if (!output_.empty()) write_text_file(output_ + result_file, result_text(state, file_, figures));
+    if (pixels_per_mm_ > 0.0) write_views(state, pixels_per_mm_);
+    if (staging) {
+      staging->publish();
+      write_text_file(output_ + result_file, result_text(state, file_, figures));
+    }
     return lines_of(state, kinds, figures);
   }
 

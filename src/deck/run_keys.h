@@ -19,7 +19,7 @@ template <class V>
 void describe(V& v, RunDeck& r) {
   v("title", r.title, Unit::none, any_value, optional, "free text, copied to the results");
   v("seed", r.seed, Unit::none, at_least(0), optional, "seed of every random number");
-  v("check_every", r.check_every, Unit::none, at_least(1), optional,
+  v("check_every", r.check_every, Unit::none, from_to(1, 1e6), optional,
     "steps between looks at the energy condition of a phase and between samples of the discharge");
 }
 

@@ -9,9 +9,9 @@ namespace repose {
 /// The heat of all particles in the domain at a moment.
 struct HeatFigures {
   double stored = 0.0;        ///< J, from 0 K on
-  double mean = 0.0;          ///< K, by mass; 0 without particles, as the two below
-  double lowest = 0.0;        ///< K
-  double highest = 0.0;       ///< K
+  double mean = unset;        ///< K, by mass; NaN without particles, as the two below
+  double lowest = unset;      ///< K
+  double highest = unset;     ///< K
   std::vector<double> walls;  ///< J that each wall has given so far
 };
 

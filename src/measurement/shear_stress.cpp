@@ -8,9 +8,10 @@
 namespace repose {
 namespace {
 
-/// N, with which the plane would have to be pulled at a lever of the mean radius.
-double shear_force(const ShearDeck& deck, const WallLoad& load) {
-  if (deck.type == ShearType::translation) return dot(unit_vector(deck.direction), load.force);
+/// N, with which the plane would have to be pulled at a lever of the mean radius; `weight` of the grains of that half,
+/// which lie all round the axis of a ring.
+double shear_force(const ShearDeck& deck, const WallLoad& load, const Vec3& weight) {
+  if (deck.type == ShearType::translation) return dot(unit_vector(deck.direction), load.force - weight);
   const double inner = deck.inner_radius, outer = deck.outer_radius;
   const double mean_radius =
       2.0 / 3.0 * (outer * outer * outer - inner * inner * inner) / (outer * outer - inner * inner);
@@ -24,11 +25,13 @@ double shear_area(const ShearDeck& deck) {
   return pi * (deck.outer_radius * deck.outer_radius - deck.inner_radius * deck.inner_radius);
 }
 
-ShearStress shear_stress(const ShearDeck& deck, const WallLoad& load, double weight_below, double weight_above) {
+ShearStress shear_stress(const ShearDeck& deck, const WallLoad& load, const Vec3& weight_below,
+                         const Vec3& weight_above) {
   const double area = shear_area(deck);
   const bool is_below = load.force.z < 0.0;
-  const double normal = is_below ? -load.force.z - weight_below : load.force.z + weight_above;
-  return {shear_force(deck, load) / area, normal / area};
+  const Vec3& weight = is_below ? weight_below : weight_above;
+  const double normal = is_below ? weight.z - load.force.z : load.force.z - weight.z;
+  return {shear_force(deck, load, weight) / area, normal / area};
 }
 
 }  // namespace repose

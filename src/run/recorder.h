@@ -33,6 +33,9 @@ struct Effort {
   }
 };
 
+/// Whether a file with this name in the output directory is a run's, which another run there removes or writes anew.
+bool is_result(const std::string& name);
+
 /// Watches a running simulation: leads the measurements, writes the time series, the trace, the snapshots and the
 /// progress lines when they are due. All members but the constructor's plain copies are collective; only rank 0 writes
 /// text.

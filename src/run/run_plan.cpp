@@ -1,5 +1,7 @@
 #include "run/run_plan.h"
 
+#include <optional>
+
 #include "simulation/phases.h"
 #include "simulation/setup.h"
 
@@ -12,7 +14,10 @@ RunPlan::RunPlan(const Deck& deck, const ReadFile& read_file)
   const SmallestRadii radii = smallest_radii(insertion, materials.size());
   dt = choose_time_step(deck, materials, radii, expected_speed(deck, insertion.now, insertion.pours));
   check_wall_speeds(deck, walls, materials, radii, dt.step);
-  greatest_growth(deck, dt.step);
+  const double growth = greatest_growth(deck, dt.step);
+  std::optional<HeatTransfer> heat;
+  if (deck.heat.enabled) heat.emplace(deck, materials, insertion, growth * growth * growth);
+  reach_of(deck, walls, materials, insertion, heat_share_of(heat), dt.step);
 }
 
 double most_steps(const Deck& deck, const TimeStep& dt) {

@@ -8,13 +8,50 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "contact/adhesion_range.h"
 #include "integration/velocity_verlet.h"
 #include "output/snapshot_reader.h"
 #include "scene/particles/sphere_mass.h"
 #include "scene/walls/motion.h"
+#include "scene/walls/periodic_walls.h"
 #include "simulation/phases.h"
 
 namespace repose {
+namespace {
+
+/// What lets particles reach further than their radius at the start, in words; empty: nothing.
+std::string further_reach(const Reach& reach) {
+  std::vector<std::string> causes;
+  if (reach.growth > 1.0) causes.emplace_back("phase.growth");
+  if (reach.heat_share > 0.0) causes.emplace_back("heat.max_gap");
+  if (reach.adhesion_range > 0.0) causes.emplace_back("adhesion");
+  return fmt::format("{}", fmt::join(causes, ", "));
+}
+
+/// DeckError when there is no particle whose onset could be watched, or nothing that could hold it.
+void check_watched_particle(const Deck& deck, const Insertion& insertion) {
+  const TiltOnsetDeck& onset = deck.tilt_onset;
+  if (onset.particle >= insertion.planned) {
+    throw DeckError(fmt::format("measurement.tilt_onset.particle = {}: the deck has particles 0 to {}", onset.particle,
+                                insertion.planned - 1));
+  }
+  const std::vector<std::int64_t>& ids = insertion.now.id;
+  const auto found = std::find(ids.begin(), ids.end(), onset.particle);
+  if (found == ids.end()) return;  // it is poured later
+  const auto material = static_cast<std::size_t>(insertion.now.material[static_cast<std::size_t>(found - ids.begin())]);
+  const std::string& own = deck.materials[material % deck.materials.size()].name;
+  const auto is_theirs = [&](const PairDeck& pair) {
+    return (pair.materials[0] == own && pair.materials[1] == onset.against) ||
+           (pair.materials[0] == onset.against && pair.materials[1] == own);
+  };
+  if (std::any_of(deck.pairs.begin(), deck.pairs.end(), is_theirs)) return;
+  throw DeckError(
+      fmt::format("measurement.tilt_onset.against = \"{}\": there is no [[pair]] of it and \"{}\", the "
+                  "material of particle {}",
+                  onset.against, own, onset.particle));
+}
+
+}  // namespace
 
 std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials, const ReadFile& read_file) {
   std::vector<Wall> walls;
@@ -31,10 +68,7 @@ Insertion insert_particles_of(const Deck& deck, const std::vector<Wall>& walls, 
   Insertion insertion = insert_particles(deck, walls, read_file, [&](const std::string& file) {
     return parse_snapshot(read_file(file), file, deck.materials);
   });
-  if (deck.tilt_onset.enabled && deck.tilt_onset.particle >= insertion.planned) {
-    throw DeckError(fmt::format("measurement.tilt_onset.particle = {}: the deck has particles 0 to {}",
-                                deck.tilt_onset.particle, insertion.planned - 1));
-  }
+  if (deck.tilt_onset.enabled) check_watched_particle(deck, insertion);
   return insertion;
 }
 
@@ -89,12 +123,22 @@ double greatest_growth(const Deck& deck, double timestep) {
   return growth;
 }
 
-std::string further_reach(double growth, double heat_share, double adhesion_range) {
-  std::vector<std::string> causes;
-  if (growth > 1.0) causes.emplace_back("phase.growth");
-  if (heat_share > 0.0) causes.emplace_back("heat.max_gap");
-  if (adhesion_range > 0.0) causes.emplace_back("adhesion");
-  return fmt::format("{}", fmt::join(causes, ", "));
+double heat_share_of(const std::optional<HeatTransfer>& heat) {
+  return heat ? heat->state().conductance().reach_share() : 0.0;
+}
+
+Reach reach_of(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials,
+               const Insertion& insertion, double heat_share, double timestep) {
+  const SmallestRadii radii = smallest_radii(insertion, materials.size());
+  Reach reach{.smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end()),
+              .growth = greatest_growth(deck, timestep),
+              .heat_share = heat_share};
+  const double largest = reach.growth * insertion.largest_radius();
+  reach.adhesion_range = longest_holding_distance(materials, reach.smallest, largest);
+  reach.longest_skin =
+      longest_skin(Periodicity(deck.domain), largest * (1.0 + heat_share) + reach.adhesion_range, further_reach(reach));
+  if (reach.growth > 1.0) check_walls_meet(deck.domain, walls, largest);
+  return reach;
 }
 
 }  // namespace repose

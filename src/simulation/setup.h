@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "deck/deck.h"
+#include "heat/heat_transfer.h"
 #include "integration/time_step.h"
 #include "scene/insertion/insertion.h"
 #include "scene/particles/materials.h"
@@ -32,7 +34,21 @@ double planned_mass(const Insertion& insertion, const MaterialTable& materials);
 /// The most by which the diameter of a particle can have grown in all phases. DeckError when that is beyond tenfold.
 double greatest_growth(const Deck& deck, double timestep);
 
-/// What lets particles reach further than their radius at the start, in words; empty: nothing.
-std::string further_reach(double growth, double heat_share, double adhesion_range);
+/// How far particles may reach in a run.
+struct Reach {
+  double smallest = 0.0;        ///< m, radius of the smallest particle at the start
+  double growth = 1.0;          ///< greatest_growth
+  double adhesion_range = 0.0;  ///< m, over which particles hold together that do not touch
+  double heat_share = 0.0;      ///< of the radius, over which heat is conducted through the gap
+  double longest_skin = 0.0;    ///< m, that the domain leaves to the lists
+};
+
+/// DeckError when the domain is too small for particles that reach so far, or when grown ones would meet two walls with
+/// one another.
+Reach reach_of(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials,
+               const Insertion& insertion, double heat_share, double timestep);
+
+/// The `heat_share` of a deck, 0 without [heat].
+double heat_share_of(const std::optional<HeatTransfer>& heat);
 
 }  // namespace repose

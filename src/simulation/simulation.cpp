@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
-#include "contact/adhesion_range.h"
 #include "integration/velocity_verlet.h"
 #include "measurement/wall_resistance.h"
 #include "scene/walls/periodic_walls.h"
@@ -44,22 +43,17 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   const SmallestRadii radii = smallest_radii(insertion, materials_.size());
   time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now, insertion.pours));
   check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
-  const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
   const double growth = greatest_growth(deck_, time_step_.step);
   const double mass_growth = growth * growth * growth;
-  const double largest = growth * insertion.largest_radius();
-  const double adhesion_range = longest_holding_distance(materials_, smallest, largest);
-  safe_step_ = longest_way / std::sqrt(3.0) * smallest;
   slow_step_ = greatest_speed(time_step_, greatest_excess) * time_step_.step / std::sqrt(3.0);
   if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion, mass_growth);
-  const double heat_share = heat_ ? heat_->state().conductance().reach_share() : 0.0;
-  const double longest = longest_skin(particles_.periodic, largest * (1.0 + heat_share) + adhesion_range,
-                                      further_reach(growth, heat_share, adhesion_range));
-  if (growth > 1.0) check_walls_meet(deck_.domain, walls(), largest);
+  const Reach reach = reach_of(deck_, walls(), materials_, insertion, heat_share_of(heat_), time_step_.step);
+  safe_step_ = longest_way / std::sqrt(3.0) * reach.smallest;
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
-  watch_ =
-      SkinWatch({deck_.neighbours.inner_skin, horizon(ListHorizon::inner), 0.5 * longest, adhesion_range},
-                {deck_.neighbours.skin, horizon(ListHorizon::choices.front()), longest, adhesion_range, heat_share});
+  watch_ = SkinWatch(
+      {deck_.neighbours.inner_skin, horizon(ListHorizon::inner), 0.5 * reach.longest_skin, reach.adhesion_range},
+      {deck_.neighbours.skin, horizon(ListHorizon::choices.front()), reach.longest_skin, reach.adhesion_range,
+       reach.heat_share});
   scene_.set_wall_skins(deck_, watch_.inner().horizon, watch_.outer().horizon);
   planned_ = insertion.planned;
   mass_unit_ = MassUnit(planned_mass(insertion, materials_) * mass_growth);

@@ -7,6 +7,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import sys
 import unittest
 
@@ -169,6 +170,33 @@ class CommandLine(FolderTest):
             self.fails(4, "cannot open", "check", self.path("shell.toml"))
             self.fails(4, "cannot open", "check", name)
         self.assertFalse(os.path.exists(sentinel))
+
+    def test_a_run_does_not_overwrite_what_it_reads(self):
+        grain = "0,0,0.01,0,0,0,0,0,0,2e-4,carbohsp\n"
+        deck = self.scene(grain, [('"grains.csv"', '"walls.csv"')])
+        os.rename(self.path("grains.csv"), self.path("walls.csv"))
+        for ranks in (0, 2):
+            self.fails(2, r"walls\.csv: the run would overwrite it", "run", deck, "--output", self.folder, ranks=ranks)
+        self.assertTrue(pathlib.Path(self.path("walls.csv")).read_text().endswith(grain))
+        self.assertFalse(os.path.exists(self.path("series.csv")))
+        deck = self.scene(grain, [])
+        self.program.run(deck, self.folder, "phase.settle.max_time=1 ms", "phase.settle.min_time=0", "phase.discharge.max_time=1 ms",
+                         "phase.discharge.min_time=0")  # a list of another name stays as it is
+
+    def test_check_refuses_what_run_refuses_at_its_beginning(self):
+        heap = self.program.deck("lifted_cylinder.toml")
+        bridges = ("--set", "contact.cohesion=capillary", "--set", "pair.0.bridge_volume=1e-6", "--set", "pair.0.surface_tension=0.07",
+                   "--set", "pair.1.bridge_volume=0", "--set", "pair.1.surface_tension=0.07")
+        for words in (("check", heap), ("run", heap, "--output", self.path("out"))):
+            self.fails(2, "would hold together at .* of the radius", *words, *bridges)
+
+    def test_a_watched_particle_without_a_pair_is_2(self):
+        deck = pathlib.Path(self.program.deck("inclined_plane.toml")).read_text()
+        glass = deck[deck.index("[[material]]"):]
+        glass = glass[:glass.index("[[", 2)].replace(re.search(r'name = "(\w+)"', glass)[0], 'name = "glass"')
+        path = self.path("plane.toml")
+        pathlib.Path(path).write_text(deck.replace("[[pair]]", glass + "[[pair]]", 1).replace('against = "carbohsp"', 'against = "glass"'))
+        self.fails(2, r'tilt_onset\.against = "glass": there is no \[\[pair\]\] of it and "metal"', "check", path)
 
     def test_listed_material_without_pair_is_2(self):
         deck = self.scene("0,0,0.01,0,0,0,0,0,0,2e-4,steel\n", [])

@@ -235,6 +235,19 @@ class Measure(FolderTest):
                    *with_deck, "--set", "measurement.scattering.area_3_radius=80 mm")
         self.fails(2, "nothing to measure", "measure", cone, "--deck", self.program.deck("periodic_chute.toml"))
 
+    def test_what_is_refused_costs_nothing(self):
+        cone = write_csv(self.path("cone.csv"), rings_of_a_cone(5e-3, 30.0))
+        output, refused = self.path("measured"), ("--set", "measurement.scattering.area_3_radius=5 mm")
+        self.fails(2, "lies within the base", "measure", cone, "--deck", self.deck, "--output", output, *refused)
+        self.assertFalse(os.path.exists(output))
+        self.assertEqual(self.program.call("measure", cone, "--deck", self.deck, "--output", output).returncode, 0)
+        names = sorted(os.listdir(output))
+        self.assertIn("measurement.json", names)
+        times = [os.stat(os.path.join(output, name)).st_mtime_ns for name in names]
+        self.fails(2, "lies within the base", "measure", cone, "--deck", self.deck, "--output", output, *refused)
+        self.assertEqual(sorted(os.listdir(output)), names)
+        self.assertEqual([os.stat(os.path.join(output, name)).st_mtime_ns for name in names], times)
+
 
 if __name__ == "__main__":
     Measure.program = Program(*sys.argv[1:4])

@@ -45,6 +45,9 @@ def check_report(program, folder):
     assert told.returncode == 0, told.stderr
     assert "96 triangles in 48 flat patches; 48 edges with one triangle" in told.stdout, told.stdout
     assert "1 duplicate" in told.stdout, told.stdout
+    place = re.search(r"1 duplicate; from \((.*)\) to \((.*)\) m", told.stdout)
+    larger = program.call("check", deck, "--set", "wall.hopper.scale=1").stdout
+    assert place and place[0] not in larger, told.stdout + larger
     with open(stl, "w") as file:
         file.write(text[:5000])
     refused = program.call("check", deck)

@@ -27,15 +27,23 @@ ShearDeck ring() {
 }
 
 TEST(ShearStress, TheWallsBelowBearTheWeightOfTheirGrainsToo) {
-  const ShearStress stress = shear_stress(box(), {{-4.0, 1.0, -9.0}, {}}, 1.0, 0.5);
+  const ShearStress stress = shear_stress(box(), {{-4.0, 1.0, -9.0}, {}}, {0.0, 0.0, -1.0}, {0.0, 0.0, -0.5});
   EXPECT_DOUBLE_EQ(stress.shear, -200.0);
   EXPECT_DOUBLE_EQ(stress.normal, 400.0);
 }
 
 TEST(ShearStress, BelowTheWallsAboveThePlaneBearsTheWeightOfTheirGrainsToo) {
-  const ShearStress stress = shear_stress(box(), {{4.0, 0.0, 9.0}, {}}, 1.0, 0.5);
+  const ShearStress stress = shear_stress(box(), {{4.0, 0.0, 9.0}, {}}, {0.0, 0.0, -1.0}, {0.0, 0.0, -0.5});
   EXPECT_DOUBLE_EQ(stress.shear, 200.0);
   EXPECT_DOUBLE_EQ(stress.normal, 475.0);
+}
+
+TEST(ShearStress, AnInclinedWeightIsNoShear) {
+  const Vec3 below = {0.3, 0.0, -1.0}, above = {0.15, 0.0, -0.5};
+  const ShearStress bed = shear_stress(box(), {below, {}}, below, above);  // of grains that lie below the plane alone
+  EXPECT_DOUBLE_EQ(bed.shear, 0.0);
+  EXPECT_DOUBLE_EQ(bed.normal, 0.0);
+  EXPECT_DOUBLE_EQ(shear_stress(box(), {{4.0, 0.0, 9.0}, {}}, below, above).shear, (4.0 - 0.15) / 0.02);
 }
 
 /// The same stress everywhere on a ring, summed over small patches, whatever the axis.
@@ -55,7 +63,7 @@ TEST(ShearStress, OfARingIsThatOfItsPatches) {
       load.torque += cross(deck.axis_origin + r * outwards, force);
     }
   }
-  const ShearStress stress = shear_stress(deck, load, 0.0, 0.0);
+  const ShearStress stress = shear_stress(deck, load, {}, {});
   EXPECT_NEAR(stress.shear, shear, 1e-5 * shear);
   EXPECT_NEAR(stress.normal, normal, 1e-9 * normal);
   EXPECT_NEAR(shear_area(deck), pi * 0.0075, 1e-15);

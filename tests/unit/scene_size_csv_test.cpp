@@ -51,6 +51,9 @@ TEST(SizeCsv, NamesTheBadLine) {
   expect_error(header + "1e-9,0\n200,10\n", "sieves.csv:2: ", "diameter = 1e-9 is not between 1e-12 m and 1000 m");
   expect_error(header + "200,0\n400,50\n700,40\n", "sieves.csv:4: ", "cumulative_mass = 40 is less than");
   expect_error("diameter_um,share_mass\n200,0\n400,-1\n", "sieves.csv:3: ", "share_mass = -1 is negative");
+  expect_error(header + "200,0\n400,25\n700,50\n",
+               "sieves.csv:4: ", "cumulative_mass ends at 50; it must come to 1, or to 100");
+  expect_error(header + "200,0\n400,25\n700,250\n", "sieves.csv:4: ", "cumulative_mass ends at 250");
   expect_error(header + "200,0,1\n", "sieves.csv:2: ", "3 fields instead of 2");
   expect_error(header + "nan,0\n", "sieves.csv:2: ", "diameter = nan is not finite; write a number");
   expect_error(header + "200,0\ninf,1\n", "sieves.csv:3: ", "diameter = inf is not finite; write a number");

@@ -1,5 +1,7 @@
 #include "measurement/angle_of_repose.h"
 
+#include <cmath>
+
 #include <fmt/core.h>
 
 #include "measurement/pile.h"
@@ -33,7 +35,7 @@ std::string lines(const Figures& figures) {
   if (!number_in(figures, "angle_of_repose_deg")) return {};
   const auto degrees = [&](const char* key) {
     const auto value = number_in(figures, key);
-    return value ? fmt::format("{:.4g}", *value) : std::string("-");
+    return value && std::isfinite(*value) ? fmt::format("{:.4g}", *value) : std::string("-");
   };
   return fmt::format("angle of repose {} +- {} degrees (left {}, right {})\n", degrees("angle_of_repose_deg"),
                      degrees("angle_of_repose_stderr_deg"), degrees("angle_of_repose_left_deg"),

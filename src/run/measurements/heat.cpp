@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "files/json_text.h"
 #include "heat/heat_figures.h"
 #include "run/measurements/measurement.h"
 
@@ -18,9 +19,9 @@ class HeatWatch : public Watch {
       if (simulation.deck().walls[w].heat.enabled) walls[wall.name] = heat.walls[w];
     }
     figures["heat"] = {{"stored_J", heat.stored},
-                       {"mean_temperature_K", heat.mean},
-                       {"lowest_temperature_K", heat.lowest},
-                       {"highest_temperature_K", heat.highest},
+                       {"mean_temperature_K", json_number(heat.mean)},
+                       {"lowest_temperature_K", json_number(heat.lowest)},
+                       {"highest_temperature_K", json_number(heat.highest)},
                        {"walls_J", walls}};
   }
 };
@@ -28,6 +29,7 @@ class HeatWatch : public Watch {
 std::string lines(const Figures& figures) {
   const auto heat = figures.find("heat");
   if (heat == figures.end() || !heat->is_object()) return {};
+  if ((*heat)["mean_temperature_K"].is_null()) return "heat none: no grains are left\n";
   const auto number = [&](const char* key) { return (*heat)[key].get<double>(); };
   return fmt::format("heat {:.5g} J, mean temperature {:.5g} K ({:.5g} to {:.5g} K)\n", number("stored_J"),
                      number("mean_temperature_K"), number("lowest_temperature_K"), number("highest_temperature_K"));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <fmt/core.h>
@@ -18,7 +19,11 @@ namespace {
 constexpr const char* series_file = "shear.csv";
 constexpr double peak_share = 0.1;  // of the time before the stresses are steady, over which a peak is a mean
 
-double ratio_in_degrees(double shear, double normal) { return std::atan2(std::fabs(shear), normal) * 180.0 / pi; }
+/// Nothing for a plane that bears no load.
+std::optional<double> friction_angle(const ShearStress& mean) {
+  if (!(mean.normal > 0.0)) return {};
+  return std::atan(std::fabs(mean.shear) / mean.normal) * 180.0 / pi;
+}
 
 /// The stresses in the plane of a shear cell over time (shear.csv), the ratio of their means when they are steady and
 /// the greatest ratio of means over a tenth of the time before.
@@ -40,13 +45,13 @@ class ShearWatch : public Watch {
   bool is_due(std::int64_t step) const override { return samples_.is_due(step); }
 
   void sample(const Simulation& simulation) override {
-    const double gravity = norm(simulation.scene().gravity());
+    const Vec3 gravity = simulation.scene().gravity();
     const double below = discharged_mass(simulation.comm(), deck_.plane_height, simulation.materials(),
                                          simulation.mass_unit(), simulation.particles(), {});
     const double all =
         total_mass(simulation.comm(), simulation.materials(), simulation.mass_unit(), simulation.particles(), {});
     const ShearStress stress =
-        shear_stress(deck_, load_on(simulation, deck_.walls), gravity * below, gravity * (all - below));
+        shear_stress(deck_, load_on(simulation, deck_.walls), below * gravity, (all - below) * gravity);
     agree_after_root(simulation.comm(), [&] {
       const double time = static_cast<double>(simulation.steps() - samples_.first_step()) * simulation.time_step().step;
       time_.push_back(time);
@@ -64,13 +69,14 @@ class ShearWatch : public Watch {
     const ShearStress mean = mean_of(steady, time_.size());
     figures["shear_stress_Pa"] = std::fabs(mean.shear);
     figures["normal_stress_Pa"] = mean.normal;
-    figures["internal_friction_deg"] = ratio_in_degrees(mean.shear, mean.normal);
+    const std::optional<double> angle = friction_angle(mean);
+    if (!angle) return;
+    figures["internal_friction_deg"] = *angle;
     const double apart = time_.front();  // the first sample is an interval after the beginning of the phase
     const auto width = static_cast<std::size_t>(std::max(1.0, std::rint(peak_share * deck_.from / apart)));
-    double peak = 0.0;
+    double peak = *angle;
     for (std::size_t first = 0; first + width <= time_.size(); ++first) {
-      const ShearStress here = mean_of(first, first + width);
-      peak = std::max(peak, ratio_in_degrees(here.shear, here.normal));
+      peak = std::max(peak, friction_angle(mean_of(first, first + width)).value_or(0.0));
     }
     figures["internal_friction_peak_deg"] = peak;
   }

@@ -1,6 +1,7 @@
 #include "scene/sizes/size_csv.h"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -101,6 +102,11 @@ SizeAnalysis parse_size_csv(std::string_view text, const std::string& file) {
   });
   if (header.divisor == 0.0) fail_at({file, last}, wanted_header);
   if (!(table.total > 0.0)) fail_at({file, last}, "the shares add up to 0; expected two lines or more");
+  constexpr double slack = 0.02;  // of what is read off a curve
+  const bool is_whole = std::fabs(table.total - 1.0) < slack || std::fabs(table.total - 100.0) < 100.0 * slack;
+  if (header.is_cumulative && !is_whole) {
+    fail_at({file, last}, fmt::format("{} ends at {}; it must come to 1, or to 100", header.share, table.total));
+  }
   return {header.by, table.bins};
 }
 

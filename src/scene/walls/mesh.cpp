@@ -200,12 +200,17 @@ bool adjacent_features(const Mesh& mesh, int a, int b) {
 
 std::string describe(const Mesh& mesh) {
   const MeshDefects& d = mesh.surface.defects;
+  Vec3 low = mesh.surface.vertices.front(), high = low;
+  for (const Vec3& v : mesh.surface.vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  }
   const auto edges = [](std::size_t n) { return fmt::format("{} {}", n, n == 1 ? "edge" : "edges"); };
   return fmt::format(
       "{} triangles in {} flat patches; {} with one triangle, {} with more than two; dropped {} of zero "
-      "area and {} duplicate",
+      "area and {} duplicate; from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m",
       mesh.surface.triangles.size(), mesh.features.patches.size(), edges(d.open_edges), edges(d.crowded_edges),
-      d.zero_area, d.duplicates);
+      d.zero_area, d.duplicates, low.x, low.y, low.z, high.x, high.y, high.z);
 }
 
 }  // namespace repose

@@ -62,7 +62,7 @@ bool keeps_to_face(const Mesh& mesh, int feature, const Vec3& centre, double rea
 /// Whether two features have a vertex in common, or are patches of one smooth surface.
 bool adjacent_features(const Mesh& mesh, int a, int b);
 
-/// What the mesh consists of and its defects, in one line.
+/// What the mesh consists of, its defects and where it is, in one line.
 std::string describe(const Mesh& mesh);
 
 }  // namespace repose

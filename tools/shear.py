@@ -20,6 +20,10 @@ from repose import plots  # noqa: E402
 from repose.shear import Shear, steady_locus, yield_locus  # noqa: E402
 
 
+def degrees(angle):
+    return "no angle" if angle is None else f"{angle:.2f} degrees"
+
+
 def main():
     arguments = argparse.ArgumentParser(description="shear stress over way and internal friction of a shear cell")
     arguments.add_argument("runs", metavar="DIR", nargs="+", help="output directories of runs at several normal stresses")
@@ -48,8 +52,8 @@ def main():
     except (repose.ReposeError, OSError) as error:
         sys.exit(f"shear.py: {error}")
     for t in tests:
-        print(f"normal {t.steady_normal:.4g} Pa, shear {t.steady_shear:.4g} Pa: {t.friction_deg:.2f} degrees, at the peak "
-              f"{t.peak_deg:.2f}")
+        print(f"normal {t.steady_normal:.4g} Pa, shear {t.steady_shear:.4g} Pa: {degrees(t.friction_deg)}, at the peak "
+              f"{degrees(t.peak_deg)}")
     if len(tests) > 1:
         print(f"internal friction {results['internal_friction_deg']:.2f} degrees, cohesion {results['cohesion_Pa']:.3g} Pa")
     for key, value in results.get("yield_locus", {}).items():

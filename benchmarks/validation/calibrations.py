@@ -2,7 +2,7 @@
 
 import contours
 import numpy as np
-from bench import ROOT, print_table, save
+from bench import ROOT, input_deck, print_table, save
 from kept_runs import kept
 
 CASES = {"carbohsp_friction": "calibrate_carbohsp_levels.toml", "sand_friction": "calibrate_sand_levels.toml",
@@ -69,6 +69,27 @@ def scatter_of_seeds(calibration):
     return rows
 
 
+def slopes_of_counts(calibration, centre):
+    """A row for each count and parameter: how the logarithm of the count grows with the parameter at a point, by least squares over
+    the runs of the cheapest level that are done, weighted as counts scatter; its standard error, scaled by what the fit leaves over;
+    both over the whole logarithm as 1, x, y, x^2, x y from that point."""
+    grid, rows = calibration.grid, []
+    own = (grid["state"] == "done") & (grid["level"] == calibration.levels[0])
+    x, y = (grid[name][own] - middle for name, middle in zip(calibration.parameters, centre))
+    terms = np.column_stack([np.ones_like(x), x, y, x * x, x * y])
+    for figure in calibration.figures:
+        counts = grid[figure][own]
+        weighted = terms * np.sqrt(counts)[:, None]
+        found, _, rank, _ = np.linalg.lstsq(weighted, np.log(counts) * np.sqrt(counts), rcond=None)
+        if rank < terms.shape[1] or len(counts) <= rank:
+            continue
+        over = np.sum((terms @ found - np.log(counts)) ** 2 * counts) / (len(counts) - rank)
+        errors = np.sqrt(np.diag(np.linalg.inv(weighted.T @ weighted)) * max(1.0, over))
+        rows += [{"figure": figure, "parameter": name, "slope of the logarithm": found[k], "standard error": errors[k],
+                  "count at the point": float(np.exp(found[0]))} for k, name in enumerate(calibration.parameters, 1)]
+    return rows
+
+
 def study(options):
     """The calibrations of the cases, one after the other; each with its picture; of one that is stopped what its runs say so far."""
     for case in options.cases or CASES:
@@ -77,12 +98,13 @@ def study(options):
             calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
         differences, along = above_the_cheapest(calibration, content["rows"]), along_the_first(calibration)
         scatter = scatter_of_seeds(calibration)
-        print_table(differences, digits=4)
-        print_table(along, digits=3)
-        if scatter:
-            print_table(scatter, digits=2)
+        counted = case == "carbohsp_restitution"
+        slopes = slopes_of_counts(calibration, [pair["restitution"] for pair in input_deck("scatter_carbohsp.toml")["pair"]]) if counted else []
+        for rows, digits in ((differences, 4), (along, 3), (scatter, 2), (slopes, 3)):
+            if rows:
+                print_table(rows, digits=digits)
         is_complete = calibration.states["waiting"] == 0
         save(options.results / f"{name}.json", case=case, is_complete=is_complete, above_the_cheapest=differences,
-             along_the_first=along, scatter_of_seeds=scatter, **content)
+             along_the_first=along, scatter_of_seeds=scatter, **({"slopes_of_counts": slopes} if counted else {}), **content)
         if not is_complete:
             raise SystemExit(f"{name} is not complete: the same command goes on")

@@ -124,7 +124,9 @@ SIZES = {"calibrated": ("sizes", 6.0, contours.SMALL, 1.75, DISCHARGE),
          "little": ("sizes_little_friction", 6.0, [*contours.SMALL, "pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.1"], 1.75,
                     DISCHARGE),
          "full_vessel": ("sizes_full_vessel", 11.11, ["particles.0.mass=7.5 g", *rayleigh_share(0.3)], 1.25, DENSITY),
-         "softer": ("sizes_softer", 11.11, ["particles.0.mass=7.5 g", *SOFTER], None, DENSITY)}
+         "softer": ("sizes_softer", 11.11, ["particles.0.mass=7.5 g", *SOFTER], None, DENSITY),
+         "softer_bouncing": ("sizes_softer_bouncing", 11.11, ["particles.0.mass=7.5 g", *SOFTER, "pair.0.restitution=0.71"], None,
+                             DENSITY)}
 
 
 def rim_of(options, name, radius):
@@ -140,7 +142,7 @@ def rim_of(options, name, radius):
 def sizes(options):
     """CarboHSP of one size (the thesis's, which stands for what it leaves out, and that of the mean volume of the distribution)
     and of its distribution, each with its calibrated friction: 1.5 g from a cylinder of 6 mm, there with little friction as well,
-    and 7.5 g from the vessel of the full test."""
+    and 7.5 g from the vessel of the full test, also with the restitution of the scattering test."""
     for case in options.cases or SIZES:
         study, radius, sets, spacing, chosen = SIZES[case]
         decks = {f"one_{diameter}": ("carbohsp_mono.toml", [*sets, f"particles.0.spacing={spacing * diameter:g} um",

@@ -36,7 +36,10 @@ inline void find_touches_of(std::span<const Wall> walls, std::span<const std::in
     const Wall& wall = walls[static_cast<std::size_t>(w)];
     if (wall.present) find_touches(wall, w, sphere.centre, reach, touches);
   }
-  if (touches.size() > 1) resolve_touches(touches, sphere.radius);
+  if (touches.size() < 2) return;
+  double tolerance = 1e-9 * sphere.radius;
+  for (const std::int32_t w : chosen) tolerance = std::max(tolerance, flatness(walls[static_cast<std::size_t>(w)]));
+  resolve_touches(touches, tolerance);
 }
 
 /// The contacts of the owned particles with walls.

@@ -1,8 +1,12 @@
+#include <algorithm>
+#include <array>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "contact/wall_contacts.h"
 #include "scene/walls/unit_vector.h"
 #include "scene/walls/wall.h"
 #include "support/meshes.h"
@@ -214,6 +218,21 @@ TEST(Mesh, RefusesWhatCannotBeAWall) {
   deck.scale = 1e300;
   EXPECT_THROW(mesh_wall(triangle, deck), DeckError);
   EXPECT_THROW(mesh_wall({{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}}), DeckError);
+}
+
+TEST(Mesh, AFileOfSinglePrecisionIsFlushWithTheWallBesideIt) {
+  constexpr double z = 12.3e-3, radius = 0.5e-3;  // m; z is no number of single precision
+  const Triangles half = {{{{-0.01, -0.005, z}, {0, -0.005, z}, {0, 0.005, z}}},
+                          {{{-0.01, -0.005, z}, {0, 0.005, z}, {-0.01, 0.005, z}}}};
+  const std::vector<Wall> walls = {make_wall(mesh_deck(), 0, [&](const std::string&) { return binary_stl(half); }),
+                                   rectangle({0.0, -0.005, z}, {0.01, 0.0, 0.0}, {0.0, 0.01, 0.0})};
+  const std::array<std::int32_t, 2> both = {0, 1};
+  TouchBuffer touches;
+  for (int k = -400; k <= 400; ++k) {
+    find_touches_of(walls, both, {{1e-6 * k, 0.0, z + 0.99 * radius}, radius}, radius, touches);
+    const auto counts = [](const WallTouch& t) { return t.superseded_by < 0; };
+    EXPECT_EQ(std::count_if(touches.touches().begin(), touches.touches().end(), counts), 1) << k;
+  }
 }
 
 }  // namespace

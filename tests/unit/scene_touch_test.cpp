@@ -13,7 +13,9 @@ constexpr double radius = 0.05;
 TouchBuffer resolved(const std::vector<Wall>& walls, const Vec3& centre) {
   TouchBuffer buffer;
   for (std::size_t w = 0; w < walls.size(); ++w) find_touches(walls[w], static_cast<int>(w), centre, radius, buffer);
-  resolve_touches(buffer, radius);
+  double tolerance = 1e-9 * radius;
+  for (const Wall& wall : walls) tolerance = std::max(tolerance, flatness(wall));
+  resolve_touches(buffer, tolerance);
   return buffer;
 }
 

@@ -57,6 +57,12 @@ void place(std::span<Wall> walls, double dt);
 /// index `wall_index`; returns how many. Does not ask whether the wall is present.
 int find_touches(const Wall& wall, int wall_index, const Vec3& centre, double reach, TouchBuffer& out);
 
+/// How far in m the surface may be from where the deck means it to be, as the file of a mesh has single precision.
+inline double flatness(const Wall& wall) {
+  const auto* mesh = std::get_if<Mesh>(&wall.shape);
+  return mesh == nullptr ? 0.0 : flatness(*mesh);
+}
+
 /// Distance in m from `centre` to the surface.
 double distance(const Wall& wall, const Vec3& centre);
 

@@ -14,8 +14,7 @@ bool gives_way(const WallTouch& touch, const WallTouch& other, double tolerance)
 
 }  // namespace
 
-void resolve_touches(TouchBuffer& buffer, double radius) {
-  const double tolerance = 1e-9 * radius;
+void resolve_touches(TouchBuffer& buffer, double tolerance) {
   for (int i = 0; i < buffer.size(); ++i) {
     buffer[i].superseded_by = -1;
     for (int j = 0; j < buffer.size() && buffer[i].superseded_by < 0; ++j) {

@@ -52,7 +52,7 @@ class TouchBuffer {
 /// surfaces are felt once: an edge in the tangent plane of a touched face gives way to that face, and of two faces or
 /// two edges of different walls touched at the same point the one of the lower wall index stays. A corner between two
 /// walls stays two touches. The touch named in superseded_by always counts itself, and inherits the history of the one
-/// it stands for. `radius` (m) is the sphere's; lengths are compared within 1e-9 of it.
-void resolve_touches(TouchBuffer& buffer, double radius);
+/// it stands for. Surfaces are flush that are no further apart than the tolerance (m).
+void resolve_touches(TouchBuffer& buffer, double tolerance);
 
 }  // namespace repose

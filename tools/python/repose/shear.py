@@ -24,17 +24,18 @@ class Shear:
     """What [measurement.shear] of a run has found.
 
     way (m), shear, normal (Pa): arrays over the samples of shear.csv; steady_shear, steady_normal, friction_deg, peak_deg: from
-    summary.json; peak_shear: the shear stress of the peak under the steady normal one."""
+    summary.json, None of a plane that bears no load; peak_shear: the shear stress of the peak under the steady normal one."""
 
     def __init__(self, run):
         samples, summary = run.shear, run.summary
-        if samples is None or summary.get("internal_friction_deg") is None:
+        if samples is None or summary.get("shear_stress_Pa") is None:
             raise ReposeError(f"{run.directory}: has no shear stresses: its deck has no [measurement.shear], or too short a phase")
         self.way = samples["shear_time_s"] * speed_of_halves(run.deck)
         self.shear, self.normal = np.abs(samples["shear_stress_Pa"]), samples["normal_stress_Pa"]
         self.steady_shear, self.steady_normal = summary["shear_stress_Pa"], summary["normal_stress_Pa"]
         self.friction_deg, self.peak_deg = summary["internal_friction_deg"], summary["internal_friction_peak_deg"]
-        self.peak_shear = self.steady_normal * math.tan(math.radians(self.peak_deg))
+        self.peak_shear = (self.steady_shear if self.peak_deg is None
+                           else self.steady_normal * math.tan(math.radians(self.peak_deg)))
 
 
 def steady_locus(runs):

@@ -98,13 +98,14 @@ def study(options):
             calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
         differences, along = above_the_cheapest(calibration, content["rows"]), along_the_first(calibration)
         scatter = scatter_of_seeds(calibration)
-        counted = case == "carbohsp_restitution"
-        slopes = slopes_of_counts(calibration, [pair["restitution"] for pair in input_deck("scatter_carbohsp.toml")["pair"]]) if counted else []
+        slopes = []
+        if case == "carbohsp_restitution":
+            slopes = slopes_of_counts(calibration, [pair["restitution"] for pair in input_deck("scatter_carbohsp.toml")["pair"]])
         for rows, digits in ((differences, 4), (along, 3), (scatter, 2), (slopes, 3)):
             if rows:
                 print_table(rows, digits=digits)
         is_complete = calibration.states["waiting"] == 0
         save(options.results / f"{name}.json", case=case, is_complete=is_complete, above_the_cheapest=differences,
-             along_the_first=along, scatter_of_seeds=scatter, **({"slopes_of_counts": slopes} if counted else {}), **content)
+             along_the_first=along, scatter_of_seeds=scatter, **({"slopes_of_counts": slopes} if slopes else {}), **content)
         if not is_complete:
             raise SystemExit(f"{name} is not complete: the same command goes on")

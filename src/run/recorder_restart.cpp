@@ -41,7 +41,6 @@ Effort Recorder::effort() const {
   return {earlier_.wall_seconds + seconds_since(start_), earlier_.particle_steps + particle_steps_, earlier_.restarts};
 }
 
-/// What an earlier run has left in the same directory would pass for this one's.
 bool is_result(const std::string& name) {
   const auto is_it = [&](const std::string& other) { return name == other; };
   if (std::any_of(rewritten.begin(), rewritten.end(), is_it) || std::any_of(removed.begin(), removed.end(), is_it)) {
@@ -57,6 +56,7 @@ bool is_result(const std::string& name) {
          std::any_of(step_files.begin(), step_files.end(), is_of_a_step);
 }
 
+/// What an earlier run has left in the same directory would pass for this one's.
 void Recorder::remove_earlier_results() const {
   for (const char* name : removed) std::filesystem::remove(path(name));
   for (const MeasurementKind& kind : measurement_kinds()) {

@@ -34,10 +34,10 @@ std::optional<Summary> run_file(const Communicator& comm, const RunRequest& requ
                                  .build = build_info(to_string(request.level)),
                                  .log = request.log,
                                  .restart = request.restart};
+  const ReadFile beside = reader_beside(comm, request.deck);
   const ReadFile read_file = [&](const std::string& file) {
-    const std::string path = path_beside(request.deck, file);
-    agree_after_root(comm, [&] { refuse_result(path, request.output); });
-    return read_shared_file(comm, path);
+    agree_after_root(comm, [&] { refuse_result(path_beside(request.deck, file), request.output); });
+    return beside(file);
   };
   return run_deck(comm, deck, read_file, request.level, options, stop_asked);
 }

@@ -1,5 +1,6 @@
 #include "run/run_plan.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "simulation/phases.h"
@@ -17,7 +18,8 @@ RunPlan::RunPlan(const Deck& deck, const ReadFile& read_file)
   const double growth = greatest_growth(deck, dt.step);
   std::optional<HeatTransfer> heat;
   if (deck.heat.enabled) heat.emplace(deck, materials, insertion, growth * growth * growth);
-  reach_of(deck, walls, materials, insertion, heat_share_of(heat), dt.step);
+  const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
+  reach_of(deck, walls, materials, smallest, insertion.largest_radius(), growth, heat);
 }
 
 double most_steps(const Deck& deck, const TimeStep& dt) {

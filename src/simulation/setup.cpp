@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "contact/adhesion_range.h"
+#include "deck/has_pair.h"
 #include "integration/velocity_verlet.h"
 #include "output/snapshot_reader.h"
 #include "scene/particles/sphere_mass.h"
@@ -20,9 +21,9 @@ namespace repose {
 namespace {
 
 /// What lets particles reach further than their radius at the start, in words; empty: nothing.
-std::string further_reach(const Reach& reach) {
+std::string further_reach(const Reach& reach, double growth) {
   std::vector<std::string> causes;
-  if (reach.growth > 1.0) causes.emplace_back("phase.growth");
+  if (growth > 1.0) causes.emplace_back("phase.growth");
   if (reach.heat_share > 0.0) causes.emplace_back("heat.max_gap");
   if (reach.adhesion_range > 0.0) causes.emplace_back("adhesion");
   return fmt::format("{}", fmt::join(causes, ", "));
@@ -40,11 +41,7 @@ void check_watched_particle(const Deck& deck, const Insertion& insertion) {
   if (found == ids.end()) return;  // it is poured later
   const auto material = static_cast<std::size_t>(insertion.now.material[static_cast<std::size_t>(found - ids.begin())]);
   const std::string& own = deck.materials[material % deck.materials.size()].name;
-  const auto is_theirs = [&](const PairDeck& pair) {
-    return (pair.materials[0] == own && pair.materials[1] == onset.against) ||
-           (pair.materials[0] == onset.against && pair.materials[1] == own);
-  };
-  if (std::any_of(deck.pairs.begin(), deck.pairs.end(), is_theirs)) return;
+  if (has_pair(deck, own, onset.against)) return;
   throw DeckError(
       fmt::format("measurement.tilt_onset.against = \"{}\": there is no [[pair]] of it and \"{}\", the "
                   "material of particle {}",
@@ -123,21 +120,15 @@ double greatest_growth(const Deck& deck, double timestep) {
   return growth;
 }
 
-double heat_share_of(const std::optional<HeatTransfer>& heat) {
-  return heat ? heat->state().conductance().reach_share() : 0.0;
-}
-
-Reach reach_of(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials,
-               const Insertion& insertion, double heat_share, double timestep) {
-  const SmallestRadii radii = smallest_radii(insertion, materials.size());
-  Reach reach{.smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end()),
-              .growth = greatest_growth(deck, timestep),
-              .heat_share = heat_share};
-  const double largest = reach.growth * insertion.largest_radius();
-  reach.adhesion_range = longest_holding_distance(materials, reach.smallest, largest);
-  reach.longest_skin =
-      longest_skin(Periodicity(deck.domain), largest * (1.0 + heat_share) + reach.adhesion_range, further_reach(reach));
-  if (reach.growth > 1.0) check_walls_meet(deck.domain, walls, largest);
+Reach reach_of(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials, double smallest,
+               double largest, double growth, const std::optional<HeatTransfer>& heat) {
+  Reach reach;
+  const double grown = growth * largest;
+  reach.heat_share = heat ? heat->state().conductance().reach_share() : 0.0;
+  reach.adhesion_range = longest_holding_distance(materials, smallest, grown);
+  reach.longest_skin = longest_skin(Periodicity(deck.domain), grown * (1.0 + reach.heat_share) + reach.adhesion_range,
+                                    further_reach(reach, growth));
+  if (growth > 1.0) check_walls_meet(deck.domain, walls, grown);
   return reach;
 }
 

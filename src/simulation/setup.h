@@ -36,19 +36,14 @@ double greatest_growth(const Deck& deck, double timestep);
 
 /// How far particles may reach in a run.
 struct Reach {
-  double smallest = 0.0;        ///< m, radius of the smallest particle at the start
-  double growth = 1.0;          ///< greatest_growth
   double adhesion_range = 0.0;  ///< m, over which particles hold together that do not touch
   double heat_share = 0.0;      ///< of the radius, over which heat is conducted through the gap
   double longest_skin = 0.0;    ///< m, that the domain leaves to the lists
 };
 
 /// DeckError when the domain is too small for particles that reach so far, or when grown ones would meet two walls with
-/// one another.
-Reach reach_of(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials,
-               const Insertion& insertion, double heat_share, double timestep);
-
-/// The `heat_share` of a deck, 0 without [heat].
-double heat_share_of(const std::optional<HeatTransfer>& heat);
+/// one another. Radii in m of the smallest and the largest particle at the start, and what greatest_growth says.
+Reach reach_of(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials, double smallest,
+               double largest, double growth, const std::optional<HeatTransfer>& heat);
 
 }  // namespace repose

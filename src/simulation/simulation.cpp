@@ -47,8 +47,9 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   const double mass_growth = growth * growth * growth;
   slow_step_ = greatest_speed(time_step_, greatest_excess) * time_step_.step / std::sqrt(3.0);
   if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion, mass_growth);
-  const Reach reach = reach_of(deck_, walls(), materials_, insertion, heat_share_of(heat_), time_step_.step);
-  safe_step_ = longest_way / std::sqrt(3.0) * reach.smallest;
+  const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
+  const Reach reach = reach_of(deck_, walls(), materials_, smallest, insertion.largest_radius(), growth, heat_);
+  safe_step_ = longest_way / std::sqrt(3.0) * smallest;
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
   watch_ = SkinWatch(
       {deck_.neighbours.inner_skin, horizon(ListHorizon::inner), 0.5 * reach.longest_skin, reach.adhesion_range},

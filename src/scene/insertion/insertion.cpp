@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "deck/has_pair.h"
 #include "deck/key.h"
 #include "scene/insertion/fill.h"
 #include "scene/insertion/grain_sizes.h"
@@ -151,10 +152,7 @@ void check_pairs(const Insertion& insertion, const Deck& deck) {
   std::vector<bool> used(deck.materials.size(), false);
   insertion.for_each([&](double, std::size_t material) { used[material] = true; });
   const auto require = [&](const std::string& a, const std::string& b) {
-    const bool given = std::any_of(deck.pairs.begin(), deck.pairs.end(), [&](const PairDeck& p) {
-      return (p.materials[0] == a && p.materials[1] == b) || (p.materials[0] == b && p.materials[1] == a);
-    });
-    if (given) return;
+    if (has_pair(deck, a, b)) return;
     throw DeckError(
         fmt::format("no [[pair]] for \"{0}\" and \"{1}\", which can touch; add materials = [\"{0}\", \"{1}\"]", a, b));
   };

@@ -32,10 +32,15 @@ void place(const MeshPlacement& placement, TriangleMesh& mesh) {
   mesh.tolerance *= placement.scale;
 }
 
-/// The largest coordinate of the placed mesh.
-double checked_extent(const TriangleMesh& mesh) {
+BoundingBox bounds_of(const TriangleMesh& mesh) {
   BoundingBox box;
   for (const Vec3& v : mesh.vertices) box.enclose(v);
+  return box;
+}
+
+/// The largest coordinate of the placed mesh.
+double checked_extent(const TriangleMesh& mesh) {
+  const BoundingBox box = bounds_of(mesh);
   const auto largest = [](const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); };
   const double extent = std::max(largest(box.min), largest(box.max));
   const double size = largest(box.max - box.min);
@@ -200,11 +205,7 @@ bool adjacent_features(const Mesh& mesh, int a, int b) {
 
 std::string describe(const Mesh& mesh) {
   const MeshDefects& d = mesh.surface.defects;
-  Vec3 low = mesh.surface.vertices.front(), high = low;
-  for (const Vec3& v : mesh.surface.vertices) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-  }
+  const auto [low, high] = bounds_of(mesh.surface);
   const auto edges = [](std::size_t n) { return fmt::format("{} {}", n, n == 1 ? "edge" : "edges"); };
   return fmt::format(
       "{} triangles in {} flat patches; {} with one triangle, {} with more than two; dropped {} of zero "

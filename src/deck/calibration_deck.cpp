@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "deck/check_calibration.h"
+#include "deck/deck_kind.h"
 #include "deck/key_reference.h"
 #include "deck/read_described.h"
 #include "deck/study_schema.h"
@@ -112,6 +113,7 @@ void describe(V& v, CalibrationDeck& d) {
 std::string calibration_keys() { return key_reference<CalibrationDeck>("Keys of a file for repose calibrate."); }
 
 CalibrationDeck read_calibration_deck(const std::string& text, const std::string& path) {
+  require_study(text, path, "calibrate");
   return read_described<CalibrationDeck>(text, path, {}, check_calibration);
 }
 

@@ -38,10 +38,18 @@ void check_stiffness(const std::string& section, const PairDeck& pair, const Con
 
 void check_damping_rates(const std::string& section, const PairDeck& pair, const ContactDeck& contact,
                          DeckErrors& errors) {
-  if (!has_hooke_damping_rate(pair) || contact.tangential_damping != TangentialDamping::normal) return;
-  errors.add(section + ".hooke_tangential_damping_rate",
-             "\"hooke_tangential_damping_rate\" and contact.tangential_damping = \"normal\" both say how the pair is "
-             "damped; remove the latter");
+  if (!has_hooke_damping_rate(pair)) return;
+  const std::string key = section + ".hooke_tangential_damping_rate";
+  if (contact.tangential_damping == TangentialDamping::normal) {
+    errors.add(key,
+               "\"hooke_tangential_damping_rate\" and contact.tangential_damping = \"normal\" both say how the pair is "
+               "damped; remove the latter");
+  }
+  if (contact.tangential_damping == TangentialDamping::none && pair.hooke_tangential_damping_rate != 0.0) {
+    errors.add(key, fmt::format("\"hooke_tangential_damping_rate\" = {} contradicts contact.tangential_damping = "
+                                "\"none\"; give 0, or remove the latter",
+                                pair.hooke_tangential_damping_rate));
+  }
 }
 
 /// A coefficient that no part of the law would read is an oversight.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <set>
 
 #include <fmt/core.h>
@@ -93,110 +92,9 @@ void check_pairs(const Deck& deck, DeckErrors& errors) {
   }
 }
 
-void check_height(const std::string& section, const char* key, double height, const DomainDeck& domain,
-                  DeckErrors& errors) {
-  if (height >= domain.min.z && height <= domain.max.z) return;
-  errors.add(section + "." + key, fmt::format("\"{}\" = {} lies outside the [domain], from {} to {}", key, height,
-                                              domain.min.z, domain.max.z));
-}
-
-void check_angle_of_repose(const AngleOfReposeDeck& a, const DomainDeck& domain, DeckErrors& errors) {
-  const std::string section = "measurement.angle_of_repose";
-  check_height(section, "plate_height", a.plate_height, domain, errors);
-  if (a.fit_from >= a.fit_to) {
-    errors.add(section + ".fit_to",
-               fmt::format("\"fit_to\" = {} must be greater than \"fit_from\" = {}", a.fit_to, a.fit_from));
-  }
-  if (a.max_height <= a.plate_height) {
-    errors.add(section + ".max_height",
-               fmt::format("\"max_height\" = {} must be above \"plate_height\" = {}", a.max_height, a.plate_height));
-  }
-}
-
-void check_scattering(const ScatteringDeck& s, const DomainDeck& domain, DeckErrors& errors) {
-  const std::string section = "measurement.scattering";
-  check_height(section, "plate_height", s.plate_height, domain, errors);
-  if (!(s.plate_min.x < s.plate_max.x && s.plate_min.y < s.plate_max.y)) {
-    errors.add(section + ".plate_max", "\"plate_max\" must be greater than \"plate_min\" in x and y");
-    return;
-  }
-  if (s.max_height <= s.plate_height) {
-    errors.add(section + ".max_height",
-               fmt::format("\"max_height\" = {} must be above \"plate_height\" = {}", s.max_height, s.plate_height));
-  }
-  const double corner = std::hypot(std::max(s.axis.x - s.plate_min.x, s.plate_max.x - s.axis.x),
-                                   std::max(s.axis.y - s.plate_min.y, s.plate_max.y - s.axis.y));
-  const auto check_radius = [&](const std::string& key, double radius) {
-    if (radius < corner) return;
-    errors.add(section + "." + key,
-               fmt::format("{} leaves nothing for area 3: the plate's farthest corner is {:.4g} from the axis", radius,
-                           corner));
-  };
-  check_radius("area_3_radius", s.area_3_radius);
-  for (std::size_t i = 0; i < s.area_3_widened.size(); ++i) {
-    check_radius(fmt::format("area_3_widened.{}", i), s.area_3_widened[i]);
-  }
-}
-
-void check_bulk_density(const BulkDensityDeck& b, const DomainDeck& domain, DeckErrors& errors) {
-  const std::string section = "measurement.bulk_density";
-  check_box(section, b.min, b.max, errors);
-  for (double Vec3::*along : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-    if (b.min.*along >= domain.min.*along && b.max.*along <= domain.max.*along) continue;
-    errors.add(section + ".max", "the box reaches out of the [domain]; it has to lie in the settled bed");
-    return;
-  }
-}
-
-void check_retained_slope(const RetainedSlopeDeck& r, DeckErrors& errors) {
-  if (r.fit_from < r.fit_to) return;
-  errors.add("measurement.retained_slope.fit_to",
-             fmt::format("\"fit_to\" = {} must be greater than \"fit_from\" = {}", r.fit_to, r.fit_from));
-}
-
-void check_shear(const ShearDeck& s, const Deck& deck, DeckErrors& errors) {
-  const std::string section = "measurement.shear";
-  find_walls(section + ".walls", s.walls, "one half of the cell", deck, errors);
-  check_phase_names(section, {s.phase}, deck, errors);
-  if (s.type == ShearType::translation) {
-    check_direction(section, "direction", s.direction, errors);
-    if (s.direction.z != 0.0) errors.add(section + ".direction", "is not horizontal: the plane between the halves is");
-    return;
-  }
-  check_direction(section, "axis_direction", s.axis_direction, errors);
-  if (s.inner_radius >= s.outer_radius) {
-    errors.add(section + ".outer_radius",
-               fmt::format("\"outer_radius\" = {} must be greater than \"inner_radius\" = {}", s.outer_radius,
-                           s.inner_radius));
-  }
-}
-
-void check_compression(const CompressionDeck& c, const Deck& deck, DeckErrors& errors) {
-  const std::string section = "measurement.compression";
-  const WallDeck* lid = find_wall(section + ".lid", c.lid, deck, errors);
-  if (lid != nullptr && !(lid->servo.enabled && lid->servo.type == ServoType::translation)) {
-    errors.add(section + ".lid", fmt::format("wall \"{}\" has no [wall.servo] that presses", c.lid));
-  }
-  check_phase_names(section, {c.load_phase, c.unload_phase}, deck, errors);
-  const auto place = [&](const std::string& name) {
-    return std::find_if(deck.phases.begin(), deck.phases.end(), [&](const PhaseDeck& p) { return p.name == name; });
-  };
-  if (place(c.load_phase) != deck.phases.end() && place(c.unload_phase) <= place(c.load_phase)) {
-    errors.add(section + ".unload_phase",
-               fmt::format("phase \"{}\" does not come after \"load_phase\" = \"{}\"", c.unload_phase, c.load_phase));
-  }
-}
-
-void check_measurement(const Deck& deck, DeckErrors& errors) {
-  if (deck.discharge.enabled) {
-    check_height("measurement.discharge", "orifice_height", deck.discharge.orifice_height, deck.domain, errors);
-  }
-  if (deck.shear.enabled) check_shear(deck.shear, deck, errors);
-  if (deck.compression.enabled) check_compression(deck.compression, deck, errors);
-  if (deck.bulk_density.enabled) check_bulk_density(deck.bulk_density, deck.domain, errors);
-  if (deck.retained_slope.enabled) check_retained_slope(deck.retained_slope, errors);
-  if (deck.angle_of_repose.enabled) check_angle_of_repose(deck.angle_of_repose, deck.domain, errors);
-  if (deck.scattering.enabled) check_scattering(deck.scattering, deck.domain, errors);
+void check_output(const Deck& deck, DeckErrors& errors) {
+  if (deck.output.trace || deck.output.trace_every == OutputDeck{}.trace_every) return;
+  errors.add("output.trace_every", "\"trace_every\" has no effect without trace = true; set that, or remove this");
 }
 
 }  // namespace
@@ -219,11 +117,17 @@ void check_deck(const Deck& deck, DeckErrors& errors) {
   check_contact(deck, errors);
   check_wall_shapes(deck, errors);
   check_particles(deck, errors);
+  check_time(deck, errors);
+  const std::size_t errors_before_phases = errors.count();
   check_phases(deck, errors);
+  if (errors.count() == errors_before_phases) check_moving_walls(deck, errors);  // nor would a misspelled wall be there
   check_motions(deck, errors);
   check_servos(deck, errors);
+  check_tilt(deck, errors);
   check_heat(deck, errors);
-  check_measurement(deck, errors);
+  check_grain_measurements(deck, errors);
+  check_driven_measurements(deck, errors);
+  check_output(deck, errors);
   if (deck.neighbours.inner_skin > deck.neighbours.skin) {
     errors.add("neighbours.inner_skin", fmt::format("\"inner_skin\" = {} must be at most \"skin\" = {}",
                                                     deck.neighbours.inner_skin, deck.neighbours.skin));

@@ -15,19 +15,49 @@ void check_wall_shapes(const Deck& deck, DeckErrors& errors);
 /// What the contact law needs of the pairs (a part of check_deck).
 void check_contact(const Deck& deck, DeckErrors& errors);
 
-/// Conditions of the phases and the order in which they add and remove walls (a part of check_deck).
+/// Conditions of the phases, whether they can come to hold, and the order in which walls are added and removed (a part
+/// of check_deck).
 void check_phases(const Deck& deck, DeckErrors& errors);
 
-/// Axes and phases of motions and of the tilt, and what the measurements of both need (a part of check_deck).
+/// Axes and phases of motions, and which particles have them (a part of check_deck).
 void check_motions(const Deck& deck, DeckErrors& errors);
 
-/// Axes, limits and phases of walls under load, walls that move with others, and the phases that wait for either (a
-/// part of check_deck).
+/// That walls which move are there in some phase (a part of check_deck).
+void check_moving_walls(const Deck& deck, DeckErrors& errors);
+
+/// Axes, limits and phases of walls under load, and walls that move with others (a part of check_deck).
 void check_servos(const Deck& deck, DeckErrors& errors);
 
-/// That phases that are named are there (a part of check_deck).
-void check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
+/// Axis, rate and phases of the tilt, and what the measurements of slopes need (a part of check_deck).
+void check_tilt(const Deck& deck, DeckErrors& errors);
+
+/// That the shares of the time step are those of the contact law (a part of check_deck).
+void check_time(const Deck& deck, DeckErrors& errors);
+
+/// What the measurements of grains that lie or fall need: heights, gravity, boxes (a part of check_deck).
+void check_grain_measurements(const Deck& deck, DeckErrors& errors);
+
+/// What the measurements on walls that move need: walls, phases, directions (a part of check_deck).
+void check_driven_measurements(const Deck& deck, DeckErrors& errors);
+
+/// That a height lies in the domain (a part of check_deck).
+void check_height(const std::string& section, const char* key, double height, const DomainDeck& domain,
+                  DeckErrors& errors);
+
+/// Whether what acts in these phases, in all when none is named, acts in this one.
+bool acts_in(const std::vector<std::string>& phases, const std::string& phase);
+
+/// That phases that are named are there; whether they are (a part of check_deck).
+bool check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
                        DeckErrors& errors);
+
+/// That the phases in which something acts, such as "the motion", are there, each named once, and that grains move in
+/// one of them (a part of check_deck).
+void check_acting_phases(const std::string& section, const char* what, const std::vector<std::string>& named,
+                         const Deck& deck, DeckErrors& errors);
+
+/// That an axis of torques has a direction, and that of every periodic boundary (a part of check_deck).
+void check_torque_axis(const std::string& section, const Vec3& direction, const Deck& deck, DeckErrors& errors);
 
 /// That a direction of a section has a length (a part of check_deck).
 void check_direction(const std::string& section, const char* key, const Vec3& direction, DeckErrors& errors);

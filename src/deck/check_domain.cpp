@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "deck/check_deck.h"
+#include "deck/directions.h"
 #include "deck/key.h"
 
 namespace repose {
@@ -12,31 +13,42 @@ namespace {
 constexpr auto axis_names = enumerators(Axis{});
 constexpr auto face_names = enumerators(DomainFace{});
 
+constexpr Axis all_axes[] = {Axis::x, Axis::y, Axis::z};
+
 std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
 
-bool is_periodic(const DomainDeck& domain, Axis axis) {
-  return std::find(domain.periodic.begin(), domain.periodic.end(), axis) != domain.periodic.end();
-}
+Axis across(const ExitDeck& exit) { return static_cast<Axis>(static_cast<std::size_t>(exit.face) / 2); }
 
 void check_periodic(const Deck& deck, Axis axis, DeckErrors& errors) {
   const std::string_view name = axis_names[index(axis)];
   if (std::count(deck.domain.periodic.begin(), deck.domain.periodic.end(), axis) > 1) {
     errors.add("domain.periodic", fmt::format("\"{}\" is given twice", name));
   }
-  if (deck.gravity.*component(axis) != 0.0 && std::isnan(deck.time.expected_speed)) {
+  if (!std::isnan(deck.time.expected_speed) || deck.contact.normal_law == NormalLaw::hooke) return;
+  Vec3 along;
+  along.*component(axis) = 1.0;
+  if (deck.gravity.*component(axis) != 0.0) {
     errors.add(
         "domain.periodic",
         fmt::format("gravity along {0} is not zero, so the fall along the periodic direction {0} has no end; set "
                     "time.expected_speed",
                     name));
+  } else if (deck.tilt.enabled && !are_parallel(deck.tilt.axis_direction, along)) {
+    errors.add("domain.periodic",
+               fmt::format("the [tilt] turns gravity towards the periodic direction {0}, along which the fall has no "
+                           "end; set time.expected_speed, or tilt about {0}",
+                           name));
   }
 }
 
-void check_open_z(const Deck& deck, DeckErrors& errors) {
-  if (!is_periodic(deck.domain, Axis::z)) return;
-  const std::string message = "the height z must not be a periodic direction of the [domain]";
-  if (deck.discharge.enabled) errors.add("measurement.discharge", message);
-  if (deck.angle_of_repose.enabled) errors.add("measurement.angle_of_repose", message);
+/// Whether all that leaves through an exit leaves through one before it.
+bool lies_within(const ExitDeck& exit, const ExitDeck& before, const DomainDeck& domain) {
+  if (exit.face != before.face) return false;
+  return std::all_of(std::begin(all_axes), std::end(all_axes), [&](Axis axis) {
+    const double Vec3::*a = component(axis);
+    return axis == across(exit) || (before.min.*a <= std::max(exit.min.*a, domain.min.*a) &&
+                                    before.max.*a >= std::min(exit.max.*a, domain.max.*a));
+  });
 }
 
 void check_exit(const Deck& deck, std::size_t i, DeckErrors& errors) {
@@ -45,28 +57,34 @@ void check_exit(const Deck& deck, std::size_t i, DeckErrors& errors) {
   if (std::find(face_names.begin(), face_names.end(), exit.name) != face_names.end()) {
     errors.add(section + ".name", fmt::format("\"{}\" is the name of a whole face; take another", exit.name));
   }
-  const auto across = static_cast<Axis>(static_cast<std::size_t>(exit.face) / 2);
-  if (is_periodic(deck.domain, across)) {
+  if (is_periodic(deck.domain, across(exit))) {
     errors.add(section + ".face",
                fmt::format("nothing leaves by \"{}\": {} is a periodic direction",
-                           face_names[static_cast<std::size_t>(exit.face)], axis_names[index(across)]));
+                           face_names[static_cast<std::size_t>(exit.face)], axis_names[index(across(exit))]));
   }
-  for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
-    if (axis == across) continue;
+  for (const Axis axis : all_axes) {
+    if (axis == across(exit)) continue;
     const double Vec3::*a = component(axis);
     if (exit.min.*a < exit.max.*a && exit.min.*a < deck.domain.max.*a && exit.max.*a > deck.domain.min.*a) continue;
     errors.add(section + ".max", fmt::format("from {} to {} in {} is no part of the domain's face", exit.min.*a,
                                              exit.max.*a, axis_names[index(axis)]));
+  }
+  for (std::size_t k = 0; k < i; ++k) {
+    if (!lies_within(exit, deck.exits[k], deck.domain)) continue;
+    errors.add(section,
+               fmt::format("all of exit \"{0}\" lies in exit \"{1}\", which comes first and counts what leaves; "
+                           "put \"{0}\" before \"{1}\"",
+                           exit.name, deck.exits[k].name));
+    return;
   }
 }
 
 }  // namespace
 
 void check_domain(const Deck& deck, DeckErrors& errors) {
-  for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+  for (const Axis axis : all_axes) {
     if (is_periodic(deck.domain, axis)) check_periodic(deck, axis, errors);
   }
-  check_open_z(deck, errors);
   for (std::size_t i = 0; i < deck.exits.size(); ++i) check_exit(deck, i, errors);
 }
 

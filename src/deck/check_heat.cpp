@@ -83,6 +83,12 @@ void check_heat(const Deck& deck, DeckErrors& errors) {
     check_on(fmt::format("particles.{}.temperature", i), !std::isnan(block.temperature));
     check_on(fmt::format("particles.{}.isothermal", i), block.isothermal);
     check_on(fmt::format("particles.{}.heating", i), block.heating != 0.0);
+    if (block.isothermal && block.heating != 0.0) {
+      errors.add(
+          fmt::format("particles.{}.heating", i),
+          "\"heating\" has no effect on \"isothermal\" particles, which keep their temperature; remove one of the "
+          "two");
+    }
   }
   for (std::size_t i = 0; i < deck.phases.size(); ++i) {
     check_on(fmt::format("phase.{}.mechanics", i), !deck.phases[i].mechanics);

@@ -4,8 +4,9 @@
 #include <fmt/core.h>
 
 #include "deck/check_deck.h"
+#include "deck/directions.h"
 #include "deck/key.h"
-#include "deck/nearest.h"
+#include "deck/present_walls.h"
 
 namespace repose {
 namespace {
@@ -21,7 +22,7 @@ bool suits(const MotionDeck& motion, Axis periodic) {
       return motion.amplitude.*direction == 0.0;
     case MotionType::rotation:
       axis.*component(periodic) = 1.0;
-      return cross(motion.axis_direction, axis) == Vec3{};
+      return are_parallel(motion.axis_direction, axis);
     case MotionType::conveyor:
       return true;
   }
@@ -39,78 +40,11 @@ void check_motion_list(const std::string& section, const std::vector<MotionDeck>
     }
     if (motions[k].type == MotionType::rotation)
       check_direction(motion, "axis_direction", motions[k].axis_direction, errors);
-    check_phase_names(motion, motions[k].phases, deck, errors);
+    check_acting_phases(motion, "the motion", motions[k].phases, deck, errors);
   }
-}
-
-void check_tilt_onset(const Deck& deck, DeckErrors& errors) {
-  const std::string section = "measurement.tilt_onset";
-  if (!deck.tilt.enabled) errors.add(section, "[measurement.tilt_onset] needs a [tilt]");
-  if (deck.tilt.angular_velocity == 0.0) errors.add("tilt.angular_velocity", "the tilt needs a rate other than zero");
-  std::vector<std::string> materials;
-  for (const MaterialDeck& m : deck.materials) materials.push_back(m.name);
-  const std::string& against = deck.tilt_onset.against;
-  if (std::find(materials.begin(), materials.end(), against) != materials.end()) return;
-  errors.add(section + ".against",
-             fmt::format("unknown material \"{}\"; the nearest is \"{}\"", against, nearest(against, materials)));
-}
-
-/// That a wall of the blade moves, and how is measured.
-void check_blade_wall(const std::string& key, const WallDeck& wall, DeckErrors& errors) {
-  if (wall.motions.empty() && !wall.servo.enabled && wall.moves_with.empty()) {
-    errors.add(key, fmt::format("wall \"{}\" has no [[wall.motion]]: it does no work", wall.name));
-  }
-  if (std::any_of(wall.motions.begin(), wall.motions.end(),
-                  [](const MotionDeck& motion) { return motion.type == MotionType::conveyor; })) {
-    errors.add(key, fmt::format("wall \"{}\" is a conveyor, whose work is not measured; name walls that move "
-                                "themselves",
-                                wall.name));
-  }
-}
-
-bool is_alike(const MotionDeck& a, const MotionDeck& b) {
-  const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-  return a.type == b.type && a.velocity == b.velocity && a.amplitude == b.amplitude && same(a.frequency, b.frequency) &&
-         a.axis_origin == b.axis_origin && a.axis_direction == b.axis_direction &&
-         same(a.angular_velocity, b.angular_velocity) && a.phases == b.phases;
-}
-
-/// Whether two walls are parts of one body.
-bool move_together(const WallDeck& a, const WallDeck& b) {
-  const auto leader = [](const WallDeck& wall) { return wall.moves_with.empty() ? wall.name : wall.moves_with; };
-  if (leader(a) == leader(b)) return true;
-  return !a.servo.enabled && !b.servo.enabled && a.moves_with.empty() && b.moves_with.empty() &&
-         std::equal(a.motions.begin(), a.motions.end(), b.motions.begin(), b.motions.end(), is_alike);
-}
-
-void check_flow_energy(const FlowEnergyDeck& f, const Deck& deck, DeckErrors& errors) {
-  const std::string section = "measurement.flow_energy";
-  const auto walls = find_walls(section + ".walls", f.walls, "the blade", deck, errors);
-  for (std::size_t k = 0; k < walls.size(); ++k) {
-    if (walls[k] == nullptr) continue;
-    const std::string key = fmt::format("{}.walls.{}", section, k);
-    check_blade_wall(key, *walls[k], errors);
-    if (walls[0] == nullptr || move_together(*walls[0], *walls[k])) continue;
-    errors.add(key,
-               fmt::format("wall \"{}\" does not move as \"{}\" does; a blade is one body: let it move with that one "
-                           "(\"moves_with\")",
-                           walls[k]->name, walls[0]->name));
-  }
-  check_phase_names(section, {f.phase}, deck, errors);
 }
 
 }  // namespace
-
-void check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
-                       DeckErrors& errors) {
-  std::vector<std::string> phases;
-  for (const PhaseDeck& phase : deck.phases) phases.push_back(phase.name);
-  for (std::size_t k = 0; k < named.size(); ++k) {
-    if (std::find(phases.begin(), phases.end(), named[k]) != phases.end()) continue;
-    errors.add(fmt::format("{}.phases.{}", section, k),
-               fmt::format("unknown phase \"{}\"; the nearest is \"{}\"", named[k], nearest(named[k], phases)));
-  }
-}
 
 void check_motions(const Deck& deck, DeckErrors& errors) {
   for (std::size_t i = 0; i < deck.walls.size(); ++i) {
@@ -133,25 +67,23 @@ void check_motions(const Deck& deck, DeckErrors& errors) {
     if (block.fixed && !block.motions.empty()) {
       errors.add(section + ".fixed", "\"fixed\" particles stay in place; remove it or the [[particles.motion]]");
     }
-  }
-  if (deck.tilt.enabled) {
-    check_direction("tilt", "axis_direction", deck.tilt.axis_direction, errors);
-    check_phase_names("tilt", deck.tilt.phases, deck, errors);
-  }
-  if (deck.tilt_onset.enabled) check_tilt_onset(deck, errors);
-  if (deck.flow_energy.enabled) check_flow_energy(deck.flow_energy, deck, errors);
-  if (deck.surface_angle.enabled) {
-    check_direction("measurement.surface_angle", "axis_direction", deck.surface_angle.axis_direction, errors);
-    if (deck.tilt.enabled && cross(deck.surface_angle.axis_direction, deck.tilt.axis_direction) != Vec3{}) {
-      errors.add("measurement.surface_angle.axis_direction",
-                 "is not along the axis of the [tilt], about which the slope of the bed changes");
+    if (block.rotation_blocked && is_held(block)) {
+      errors.add(section + ".rotation_blocked",
+                 "\"rotation_blocked\" is for particles that move freely, not for \"fixed\" ones or those on a "
+                 "[[particles.motion]]; remove it");
     }
   }
-  for (std::size_t i = 0; i < deck.phases.size(); ++i) {
-    if (deck.phases[i].until != PhaseUntil::tilt_onset || deck.tilt_onset.enabled) continue;
-    if (deck.tilt.enabled && deck.surface_angle.enabled) continue;
-    errors.add(fmt::format("phase.{}.until", i),
-               "\"until\" = tilt_onset needs [measurement.tilt_onset], or a [tilt] and [measurement.surface_angle]");
+}
+
+void check_moving_walls(const Deck& deck, DeckErrors& errors) {
+  const std::vector<PresentWalls> by_phase = present_walls_by_phase(deck);
+  for (std::size_t i = 0; i < deck.walls.size(); ++i) {
+    const WallDeck& wall = deck.walls[i];
+    if (wall.motions.empty() && !wall.servo.enabled) continue;
+    const auto is_there = [&](const PresentWalls& walls) { return walls.has_body(wall.name); };
+    if (std::any_of(by_phase.begin(), by_phase.end(), is_there)) continue;
+    errors.add(fmt::format("wall.{}.{}", i, wall.servo.enabled ? "servo" : "motion"),
+               fmt::format("wall \"{}\" is in no phase there to move; let a phase add it (add_walls)", wall.name));
   }
 }
 

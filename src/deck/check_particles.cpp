@@ -71,6 +71,23 @@ void check_sizes(const std::string& section, const SizesDeck& s, DeckErrors& err
   }
 }
 
+/// That a region lies in the domain. One that reaches a metre beyond is one whose unit was forgotten.
+void check_inside(const std::string& section, const DomainDeck& region, const DomainDeck& domain, DeckErrors& errors) {
+  for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+    const double Vec3::*a = component(axis);
+    const bool is_below = region.min.*a < domain.min.*a;
+    if (!is_below && region.max.*a <= domain.max.*a) continue;
+    const double reach = is_below ? region.min.*a : region.max.*a;
+    const double bound = is_below ? domain.min.*a : domain.max.*a;
+    const bool lacks_unit = std::fabs(reach - bound) >= 1.0;
+    errors.add(section + ".region",
+               fmt::format("the region reaches to {} = {:.6g} m, beyond [domain] {} = {:.6g} m; enlarge the domain{}",
+                           enumerators(Axis{})[static_cast<std::size_t>(axis)], reach, is_below ? "min" : "max", bound,
+                           lacks_unit ? fmt::format(", or give the unit (\"{:.4g} mm\")", reach) : ""));
+    return;
+  }
+}
+
 void check_region(const std::string& section, const ParticlesDeck& p, const DomainDeck& domain, DeckErrors& errors) {
   if (p.region == RegionShape::disc && p.type != ParticlesType::pour) {
     errors.add(section + ".region", "a disc has no volume to fill; only type = \"pour\" can use it");
@@ -87,9 +104,7 @@ void check_region(const std::string& section, const ParticlesDeck& p, const Doma
   if (p.region == RegionShape::disc && p.diameter > 2.0 * p.radius) {
     errors.add(section + ".diameter", fmt::format("\"diameter\" = {} is larger than the disc", p.diameter));
   }
-  const bool is_inside = box.min.x >= domain.min.x && box.min.y >= domain.min.y && box.min.z >= domain.min.z &&
-                         box.max.x <= domain.max.x && box.max.y <= domain.max.y && box.max.z <= domain.max.z;
-  if (!is_inside) errors.add(section + ".region", "the region reaches beyond the [domain]; enlarge the domain");
+  check_inside(section, box, domain, errors);
 }
 
 /// A block whose amount and sizes the deck gives: fill or pour.
@@ -105,6 +120,10 @@ void check_measured(const std::string& section, const ParticlesDeck& p, DeckErro
   } else if (p.sizes.enabled && !std::isnan(p.spacing)) {
     errors.add(section + ".spacing",
                "\"spacing\" has no meaning with [particles.sizes], which fills at random; remove it");
+  }
+  if (p.sizes.enabled && p.jitter != ParticlesDeck{}.jitter) {
+    errors.add(section + ".jitter",
+               "\"jitter\" has no meaning with [particles.sizes], which fills at random; remove it");
   }
 }
 

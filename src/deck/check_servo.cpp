@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "deck/check_deck.h"
+#include "deck/directions.h"
 
 namespace repose {
 namespace {
@@ -22,23 +23,9 @@ void check_way(const std::string& section, const ServoDeck& servo, const Deck& d
   }
 }
 
-/// That an axis of torques has a direction, and that of every periodic boundary.
-void check_axis(const std::string& section, const Vec3& direction, const Deck& deck, DeckErrors& errors) {
-  check_direction(section, "axis_direction", direction, errors);
-  for (const Axis periodic : deck.domain.periodic) {
-    Vec3 along;
-    along.*component(periodic) = 1.0;
-    if (cross(direction, along) == Vec3{}) continue;
-    errors.add(section + ".axis_direction",
-               fmt::format("\"axis_direction\" is not along the periodic direction {} of the [domain]: the images of a "
-                           "grain would have other levers",
-                           name_of(periodic)));
-  }
-}
-
 void check_servo(const std::string& section, const ServoDeck& servo, const Deck& deck, DeckErrors& errors) {
   if (servo.type == ServoType::rotation) {
-    check_axis(section, servo.axis_direction, deck, errors);
+    check_torque_axis(section, servo.axis_direction, deck, errors);
     if (servo.max_angle == 0.0 && servo.min_angle == 0.0) {
       errors.add(section + ".max_angle", "\"max_angle\" and \"min_angle\" are both 0: the wall could not turn");
     }
@@ -46,10 +33,14 @@ void check_servo(const std::string& section, const ServoDeck& servo, const Deck&
     check_way(section, servo, deck, errors);
   }
   check_course(section, servo.times, servo.factors, errors);
-  check_phase_names(section, servo.phases, deck, errors);
+  if (!servo.factors.empty() && *std::max_element(servo.factors.begin(), servo.factors.end()) == 0.0) {
+    errors.add(section + ".factors", "\"factors\" are all 0: the wall would never press; remove the [wall.servo]");
+  }
+  check_acting_phases(section, "the servo", servo.phases, deck, errors);
 }
 
-/// That a wall which moves with another leaves the moving to it, and that the other moves by itself.
+/// That a wall which moves with another leaves the moving to it, and that the other does not move with a third. One
+/// that never moves may have followers, too: phases and measurements take them along.
 void check_follower(const std::string& section, const WallDeck& wall, const Deck& deck, DeckErrors& errors) {
   const std::string key = section + ".moves_with";
   const WallDeck* leader = find_wall(key, wall.moves_with, deck, errors);
@@ -68,18 +59,20 @@ void check_follower(const std::string& section, const WallDeck& wall, const Deck
   }
 }
 
-/// That a servo can act in a phase which waits for one.
-void check_waits_for_servo(const std::string& section, const PhaseDeck& phase, const Deck& deck, DeckErrors& errors) {
-  const bool any_acts = std::any_of(deck.walls.begin(), deck.walls.end(), [&](const WallDeck& wall) {
-    const std::vector<std::string>& phases = wall.servo.phases;
-    return wall.servo.enabled &&
-           (phases.empty() || std::find(phases.begin(), phases.end(), phase.name) != phases.end());
-  });
-  if (!any_acts) errors.add(section + ".until", "\"until\" = servo needs a [wall.servo] that acts in this phase");
-  if (!phase.mechanics) errors.add(section + ".until", "nothing moves in a phase without mechanics, no servo either");
-}
-
 }  // namespace
+
+void check_torque_axis(const std::string& section, const Vec3& direction, const Deck& deck, DeckErrors& errors) {
+  check_direction(section, "axis_direction", direction, errors);
+  for (const Axis periodic : deck.domain.periodic) {
+    Vec3 along;
+    along.*component(periodic) = 1.0;
+    if (are_parallel(direction, along)) continue;
+    errors.add(section + ".axis_direction",
+               fmt::format("\"axis_direction\" is not along the periodic direction {} of the [domain]: the images of a "
+                           "grain would have other levers",
+                           name_of(periodic)));
+  }
+}
 
 void check_servos(const Deck& deck, DeckErrors& errors) {
   for (std::size_t i = 0; i < deck.walls.size(); ++i) {
@@ -87,15 +80,6 @@ void check_servos(const Deck& deck, DeckErrors& errors) {
     const std::string section = fmt::format("wall.{}", i);
     if (!wall.moves_with.empty()) check_follower(section, wall, deck, errors);
     if (wall.servo.enabled) check_servo(section + ".servo", wall.servo, deck, errors);
-  }
-  for (std::size_t i = 0; i < deck.phases.size(); ++i) {
-    const PhaseDeck& phase = deck.phases[i];
-    const std::string section = fmt::format("phase.{}", i);
-    if (phase.until == PhaseUntil::servo) check_waits_for_servo(section, phase, deck, errors);
-    if (phase.until == PhaseUntil::wall_force || phase.until == PhaseUntil::wall_torque) {
-      find_wall(section + ".wall", phase.wall, deck, errors);
-    }
-    if (phase.until == PhaseUntil::wall_torque) check_axis(section, phase.axis_direction, deck, errors);
   }
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include <fmt/core.h>
 
@@ -41,46 +40,6 @@ void check_rectangle(const std::string& section, const WallDeck& wall, DeckError
   }
 }
 
-class WallPresence {
- public:
-  WallPresence(const Deck& deck, DeckErrors& errors) : deck_(deck), errors_(errors) {
-    for (const WallDeck& wall : deck.walls) {
-      if (wall.present) present_.insert(wall.name);
-    }
-  }
-
-  void remove(const std::string& key, const std::string& name) {
-    if (find_wall(key, name, deck_, errors_) != nullptr && present_.erase(name) == 0) {
-      errors_.add(key, fmt::format("wall \"{}\" is not there when this phase begins and cannot be removed", name));
-    }
-  }
-  void add(const std::string& key, const std::string& name) {
-    if (find_wall(key, name, deck_, errors_) != nullptr && !present_.insert(name).second) {
-      errors_.add(key,
-                  fmt::format("wall \"{}\" is already there when this phase begins; set present = false, or remove it "
-                              "in an earlier phase",
-                              name));
-    }
-  }
-
-  /// Those that move with one that has just been added or removed are where it is.
-  void take_along(const std::string& leader) {
-    for (const WallDeck& wall : deck_.walls) {
-      if (wall.moves_with != leader) continue;
-      if (present_.contains(leader)) {
-        present_.insert(wall.name);
-      } else {
-        present_.erase(wall.name);
-      }
-    }
-  }
-
- private:
-  const Deck& deck_;
-  std::set<std::string> present_;
-  DeckErrors& errors_;
-};
-
 }  // namespace
 
 void check_direction(const std::string& section, const char* key, const Vec3& direction, DeckErrors& errors) {
@@ -120,28 +79,6 @@ void check_wall_shapes(const Deck& deck, DeckErrors& errors) {
     if (wall.type == WallType::plane || wall.type == WallType::disc) {
       check_direction(section, "normal", wall.normal, errors);
     }
-  }
-}
-
-void check_phases(const Deck& deck, DeckErrors& errors) {
-  WallPresence walls(deck, errors);
-  for (std::size_t i = 0; i < deck.phases.size(); ++i) {
-    const PhaseDeck& phase = deck.phases[i];
-    const std::string section = fmt::format("phase.{}", i);
-    if (phase.min_time > phase.max_time) {
-      errors.add(section + ".min_time",
-                 fmt::format("\"min_time\" = {} is beyond \"max_time\" = {}", phase.min_time, phase.max_time));
-    }
-    if (phase.growth.enabled && !phase.mechanics)
-      errors.add(section + ".growth", "nothing grows in a phase without mechanics; remove one of the two");
-    for (std::size_t k = 0; k < phase.remove_walls.size(); ++k) {
-      walls.remove(fmt::format("{}.remove_walls.{}", section, k), phase.remove_walls[k]);
-    }
-    for (const std::string& name : phase.remove_walls) walls.take_along(name);
-    for (std::size_t k = 0; k < phase.add_walls.size(); ++k) {
-      walls.add(fmt::format("{}.add_walls.{}", section, k), phase.add_walls[k]);
-    }
-    for (const std::string& name : phase.add_walls) walls.take_along(name);
   }
 }
 

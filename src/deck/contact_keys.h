@@ -90,7 +90,7 @@ void describe(V& v, PairDeck& p) {
     "between liquid and solid in degrees, for cohesion = capillary");
   v("bridge_volume", p.bridge_volume, Unit::volume, at_least(0), optional,
     "of one liquid bridge, for cohesion = capillary");
-  v("rolling_viscous_damping", p.rolling_viscous_damping, Unit::none, at_least(0), optional,
+  v("rolling_viscous_damping", p.rolling_viscous_damping, Unit::none, from_to(0, 1), optional,
     "rolling dashpot of rolling_model = epsd, as a share of the critical damping");
 }
 

@@ -16,7 +16,7 @@ void DeckErrors::add(const std::string& key, const std::string& message) {
     around.resize(dot == std::string::npos ? 0 : dot);
   }
   const auto found = places_.find(around);
-  add(found == places_.end() ? Place{} : found->second, message);
+  add(found == places_.end() ? KeyPlace{} : found->second, message);
 }
 
 void DeckErrors::throw_first() const {
@@ -24,7 +24,7 @@ void DeckErrors::throw_first() const {
   const auto first = std::min_element(errors_.begin(), errors_.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
   });
-  const Place& place = first->place;
+  const KeyPlace& place = first->place;
   if (!place.set_text.empty()) throw DeckError(fmt::format("--set {}: {}", place.set_text, first->message));
   throw DeckError(fmt::format("{}:{}:{}: {}", file_, place.line, place.column, first->message));
 }

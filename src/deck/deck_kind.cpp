@@ -51,4 +51,15 @@ void require_run_deck(const std::string& text, const std::string& path) {
   if (root.at_path("material[0].room")) refuse("thermal sensor");
 }
 
+void require_study(const std::string& text, const std::string& path, const std::string& command) {
+  const toml::table root = parse_toml(text, path);
+  const auto refuse = [&](const std::string& what) {
+    throw DeckError(
+        fmt::format("{0}: no file for repose {1}, but {2}; `repose keys {1}` lists its keys", path, command, what));
+  };
+  const DeckKind kind = kind_of(root);
+  if (kind == DeckKind::run && (root.contains("phase") || root.contains("particles"))) refuse("a deck of a run");
+  if (kind == DeckKind::validation && command != "validate") refuse("one for repose validate");
+}
+
 }  // namespace repose

@@ -14,4 +14,7 @@ DeckKind kind_of_deck(const std::string& text, const std::string& path);
 /// DeckError, which names the command that is meant, when it is not the deck of one run.
 void require_run_deck(const std::string& text, const std::string& path);
 
+/// DeckError when a file for this command of studies ("calibrate") is the deck of one run or for repose validate.
+void require_study(const std::string& text, const std::string& path, const std::string& command);
+
 }  // namespace repose

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -31,6 +32,10 @@ void describe(V& v, DomainDeck& d) {
   v("max", d.max, Unit::metre, any_value, required, "highest corner, beyond min in x, y and z");
   v("periodic", d.periodic, Unit::none, any_value, optional,
     "directions in which the domain repeats itself: what leaves it there comes in on the other side");
+}
+
+inline bool is_periodic(const DomainDeck& domain, Axis axis) {
+  return std::find(domain.periodic.begin(), domain.periodic.end(), axis) != domain.periodic.end();
 }
 
 enum class DomainFace { x_min, x_max, y_min, y_max, z_min, z_max };

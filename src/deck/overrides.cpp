@@ -3,28 +3,23 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
-#include <span>
 #include <sstream>
 
 #include "base/error.h"
 #include "base/trimmed.h"
 #include "deck/nearest.h"
 #include "deck/nesting.h"
+#include "deck/repeated_sections.h"
 
 namespace repose {
 namespace {
 
-constexpr std::string_view repeated_sections[] = {"material", "pair", "wall", "particles", "phase"};
-constexpr std::string_view repeated_subsections[] = {"motion"};
-
-/// Whether the part is a [[section]]: one that a deck of a run may have, or one that this deck has.
-bool is_repeated(const toml::table& table, const std::string& part, bool at_top) {
+/// Whether the part, of this path, is a [[section]]: one that a deck of a run may have, or one that this deck has.
+bool is_repeated(const toml::table& table, const std::string& part, const std::string& path) {
   if (const toml::array* array = table.get_as<toml::array>(part); array != nullptr && array->is_array_of_tables()) {
     return true;
   }
-  const std::span<const std::string_view> names = at_top ? std::span<const std::string_view>(repeated_sections)
-                                                         : std::span<const std::string_view>(repeated_subsections);
-  return std::find(names.begin(), names.end(), part) != names.end();
+  return repeated_sections().contains(without_indices(path));
 }
 
 /// As TOML wants it; a deck with other bytes in its texts could not be written.
@@ -111,7 +106,7 @@ std::string apply(toml::table& root, const std::string& set_text, Overridden& ov
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
     path = child(path, parts[i]);
     const std::string& part = parts[i];
-    if (is_repeated(*table, part, i == 0)) {
+    if (is_repeated(*table, part, path)) {
       toml::array* array = table->get_as<toml::array>(part);
       if (array == nullptr) fail(set_text, fmt::format("the deck has no [[{}]]", path));
       if (parts.size() < i + 3) {

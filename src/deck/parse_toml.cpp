@@ -11,6 +11,8 @@ namespace {
 /// What to do about the syntax errors that people make most.
 std::string remedy(const std::string& description) {
   const auto says = [&](const char* text) { return description.find(text) != std::string::npos; };
+  if (says("as array-of-tables"))
+    return "; give it once; a section such as [[wall.motion]] stands behind the [[wall]] it belongs to";
   if (says("cannot redefine")) return "; give it once";
   if (says("could not determine value type")) return "; a text needs quotes";
   if (says("expected a comment or whitespace"))

@@ -150,9 +150,9 @@ void describe_pour(V& v, ParticlesDeck& p) {
     optional_else("none; this or particle_rate").when(is_pour, "type = pour"), "mass per time");
   v("particle_rate", p.particle_rate, Unit::per_second, above(0),
     optional_else("none; this or rate").when(is_pour, "type = pour"), "particles per time");
-  v("start_time", p.start_time, Unit::second, at_least(0), optional.when(is_pour, "type = pour"),
+  v("start_time", p.start_time, Unit::second, from_to(0, 1e12), optional.when(is_pour, "type = pour"),
     "time of the run at which it begins");
-  v("interval", p.interval, Unit::second, above(0),
+  v("interval", p.interval, Unit::second, above_to(0, 1e12),
     optional_else("time to clear the region").when(is_pour, "type = pour"), "time between batches");
 }
 

@@ -127,7 +127,7 @@ void describe(V& v, PhaseDeck& p) {
   v("kinetic_energy", p.kinetic_energy, Unit::joule, above(0), required.when(by_energy, "until = kinetic_energy"),
     "ends when the mean translational energy per particle is below");
   v("time", p.time, Unit::second, above(0), required.when(p.until == PhaseUntil::time, "until = time"), "duration");
-  v("steps", p.steps, Unit::none, at_least(1), required.when(p.until == PhaseUntil::steps, "until = steps"),
+  v("steps", p.steps, Unit::none, from_to(1, 1e15), required.when(p.until == PhaseUntil::steps, "until = steps"),
     "number of steps");
   const bool by_force = p.until == PhaseUntil::wall_force;
   const bool by_torque = p.until == PhaseUntil::wall_torque;

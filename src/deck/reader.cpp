@@ -64,7 +64,7 @@ Reader::Reader(const toml::table& root, const Overridden& overridden, DeckErrors
   levels_.push_back({&root, "", "the deck", errors.count(), {}, {}, false});
 }
 
-Place Reader::locate(const std::string& path, const toml::source_region& source) {
+KeyPlace Reader::locate(const std::string& path, const toml::source_region& source) {
   std::string around = path;
   while (!around.empty()) {
     if (const auto found = overridden_.find(around); found != overridden_.end()) return {0, 0, found->second};
@@ -99,7 +99,8 @@ const toml::array* Reader::find_sections(std::string_view name, const Presence& 
   if (node == nullptr) return nullptr;
   const std::string path = child(levels_.back().path, name);
   if (!node->is_array()) {
-    errors_.add(path, fmt::format("\"{0}\" is {1}; write [[{0}]], which can be repeated", path, what_it_is(*node)));
+    errors_.add(path, fmt::format("\"{}\" is {}; write [[{}]], which can be repeated", path, what_it_is(*node),
+                                  without_indices(path)));
     return nullptr;
   }
   if (node->as_array()->empty() && presence.is_required) {
@@ -147,6 +148,11 @@ const toml::array* Reader::list(const toml::node& node, const std::string& path,
                                 std::string_view wanted) {
   errors_.locate(path, locate(path, node.source()));
   const toml::array* array = node.as_array();
+  if (array == nullptr && node.is_string() && wanted.starts_with("list of ") && !wanted.ends_with(']')) {
+    errors_.add(path, fmt::format("\"{0}\" must be a {1}, not {2}; write [\"{3}\"]", short_name(path), wanted,
+                                  what_it_is(node), node.as_string()->get()));
+    return nullptr;
+  }
   if (array == nullptr || (length != any_length && array->size() != length)) {
     refuse(path, node, wanted.starts_with('[') ? fmt::format("{}", wanted) : fmt::format("a {}", wanted));
     return nullptr;

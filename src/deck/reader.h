@@ -95,7 +95,7 @@ class Reader {
   const toml::array* find_sections(std::string_view name, const Presence& presence, std::string_view meaning);
   bool enter(const toml::node& node, const std::string& path, const std::string& title);
   void leave();
-  Place locate(const std::string& path, const toml::source_region& source);
+  KeyPlace locate(const std::string& path, const toml::source_region& source);
   void refuse(const std::string& path, const toml::node& node, std::string_view wanted);
   const toml::array* list(const toml::node& node, const std::string& path, std::size_t length, std::string_view wanted);
   bool in_range(double value, const std::string& path, const Rule& rule);

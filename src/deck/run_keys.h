@@ -12,7 +12,7 @@ namespace repose {
 struct RunDeck {
   std::string title;
   std::uint64_t seed = 1;
-  std::int64_t check_every = 100;  ///< steps between looks at a phase's energy condition and at the discharge
+  std::int64_t check_every = 100;  ///< steps between looks at what a phase waits for and at the discharge
 };
 
 template <class V>
@@ -20,7 +20,7 @@ void describe(V& v, RunDeck& r) {
   v("title", r.title, Unit::none, any_value, optional, "free text, copied to the results");
   v("seed", r.seed, Unit::none, at_least(0), optional, "seed of every random number");
   v("check_every", r.check_every, Unit::none, from_to(1, 1e6), optional,
-    "steps between looks at the energy condition of a phase and between samples of the discharge");
+    "steps between looks at what a phase waits for, other than time and steps, and between samples of the discharge");
 }
 
 struct OutputDeck {

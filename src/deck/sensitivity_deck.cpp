@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "deck/deck_kind.h"
 #include "deck/key_reference.h"
 #include "deck/read_described.h"
 #include "deck/study_schema.h"
@@ -79,6 +80,7 @@ void check(SensitivityDeck& deck, DeckErrors& errors) {
 std::string sensitivity_keys() { return key_reference<SensitivityDeck>("Keys of a file for repose sensitivity."); }
 
 SensitivityDeck read_sensitivity_deck(const std::string& text, const std::string& path) {
+  require_study(text, path, "sensitivity");
   return read_described<SensitivityDeck>(text, path, {}, check);
 }
 

@@ -1,5 +1,6 @@
 #include "deck/validation_deck.h"
 
+#include "deck/deck_kind.h"
 #include "deck/key.h"
 #include "deck/key_reference.h"
 #include "deck/plain_name.h"
@@ -48,6 +49,7 @@ void check(const ValidationDeck& deck, DeckErrors& errors) {
 std::string validation_keys() { return key_reference<ValidationDeck>("Keys of a file for repose validate."); }
 
 ValidationDeck read_validation_deck(const std::string& text, const std::string& path) {
+  require_study(text, path, "validate");
   return read_described<ValidationDeck>(text, path, {}, check);
 }
 

@@ -58,6 +58,14 @@ TEST(ContactDeck, RefusesCoefficientsThatNothingUses) {
                "\"rolling_viscous_damping\" belongs to contact.rolling_model = \"epsd\"; set that, or remove this");
 }
 
+TEST(ContactDeck, TheRollingDashpotIsAShareOfTheCriticalDamping) {
+  const auto damped = [](const std::string& share) {
+    return problem({"contact.rolling_model=epsd", "pair.0.rolling_viscous_damping=" + share});
+  };
+  EXPECT_EQ(damped("1"), "");
+  EXPECT_PRED2(ends_with, damped("1.5"), "\"rolling_viscous_damping\" = 1.5 is out of range; it must be 0 <= x <= 1");
+}
+
 TEST(ContactDeck, RefusesWhatContradictsItself) {
   EXPECT_NE(problem({"contact.normal_law=jkr", "contact.attraction=false"}).find("contradicts"), std::string::npos);
   EXPECT_NE(problem({"contact.normal_law=jkr", "contact.cohesion=sjkr"}).find("adhesion of its own"),
@@ -72,11 +80,11 @@ TEST(ContactDeck, RefusesWhatContradictsItself) {
 }
 
 TEST(ContactDeck, ATangentialDampingRateStandsAlone) {
-  const auto problem_with = [](const std::string& damping) {
+  const auto problem_with = [](const std::string& damping, const std::string& rate = "300") {
     std::string text = example_deck;
     const std::string restitution = "restitution = 0.9";
     text.replace(text.find(restitution), restitution.size(),
-                 "hooke_damping_rate = 800\nhooke_tangential_damping_rate = 300");
+                 "hooke_damping_rate = 800\nhooke_tangential_damping_rate = " + rate);
     try {
       read_deck(text, "deck.toml",
                 {"contact.normal_law=hooke", "contact.hooke_characteristic_velocity=2 m/s",
@@ -87,7 +95,10 @@ TEST(ContactDeck, ATangentialDampingRateStandsAlone) {
     return std::string();
   };
   EXPECT_EQ(problem_with("stiffness"), "");
-  EXPECT_EQ(problem_with("none"), "");
+  EXPECT_PRED2(ends_with, problem_with("none"),
+               "\"hooke_tangential_damping_rate\" = 300 contradicts contact.tangential_damping = \"none\"; give 0, or "
+               "remove the latter");
+  EXPECT_EQ(problem_with("none", "0"), "");
   EXPECT_PRED2(ends_with, problem_with("normal"),
                "\"hooke_tangential_damping_rate\" and contact.tangential_damping = \"normal\" both say how the pair is "
                "damped; remove the latter");

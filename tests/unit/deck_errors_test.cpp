@@ -49,6 +49,9 @@ TEST(DeckErrors, Syntax) {
        "once"},
       {"[time]", "[domain]",
        "59:1: TOML syntax: Error while parsing table header: cannot redefine existing table 'domain'; give it once"},
+      {"[[wall]]\nname = \"floor\"", "[[wall.motion]]\ntype = \"translation\"\n[[wall]]\nname = \"floor\"",
+       "31:1: TOML syntax: Error while parsing table header: cannot redefine existing table 'wall' as array-of-tables; "
+       "give it once; a section such as [[wall.motion]] stands behind the [[wall]] it belongs to"},
       {"step = 1e-6", "step = 1 us",
        "60:10: TOML syntax: Error while parsing key-value pair: expected a comment or whitespace, saw 'u'; one key per "
        "line, and a value with a unit is a text, as \"5 mm\""},
@@ -126,7 +129,7 @@ TEST(DeckErrors, Types) {
       {"[[0.02, 0.05], [0.02, -0.05]]", "3", "39:10: \"points\" must be a list of [r, z], not the number 3"},
       {"[\"glass\", \"glass\"]", "[\"glass\"]", "18:13: \"materials\" must be [text, text], not a list of 1"},
       {"add_walls = [\"gate\"]", "add_walls = \"gate\"",
-       "68:13: \"add_walls\" must be a list of texts, not the text \"gate\""},
+       "68:13: \"add_walls\" must be a list of texts, not the text \"gate\"; write [\"gate\"]"},
       {"[measurement.discharge]", "[[measurement.discharge]]",
        "76:1: \"measurement.discharge\" is a list of 1; it must be the section [measurement.discharge]"},
       {"type = \"disc\"", "type = \"disk\"",
@@ -275,9 +278,13 @@ TEST(DeckErrors, Shapes) {
       {"diameter = \"2 mm\"", "diameter = \"31 mm\"", "52:12: \"diameter\" = 0.031 is larger than the region"},
       {"count = 100", "count = 100\nmass = 0.01", "53:9: \"mass\" and \"count\" are both given; remove one"},
       {"count = 100", "count = 100\nspacing = 0.0019", "54:11: \"spacing\" = 0.0019 is less than the diameter 0.002"},
-      {"height = 0.05", "height = 0.2", "54:10: the region reaches beyond the [domain]; enlarge the domain"},
+      {"height = 0.05", "height = 0.2",
+       "54:10: the region reaches to z = 0.2 m, beyond [domain] max = 0.1 m; enlarge the domain"},
+      {"height = 0.05", "height = 28",
+       "54:10: the region reaches to z = 28 m, beyond [domain] max = 0.1 m; enlarge the domain, or give the unit (\"28 "
+       "mm\")"},
       {"height = 0.05", "height = 0.05\nradius_top = 0.2",
-       "54:10: the region reaches beyond the [domain]; enlarge the domain"},
+       "54:10: the region reaches to x = -0.2 m, beyond [domain] min = -0.1 m; enlarge the domain"},
       {"step = 1e-6", "[neighbours]\nskin = 0.1\ninner_skin = 0.2",
        "62:14: \"inner_skin\" = 0.2 must be at most \"skin\" = 0.1"},
       {"plate_height = -0.05", "plate_height = -0.05\nfit_to = 0.2",
@@ -325,20 +332,24 @@ TEST(DeckErrors, Phases) {
 }
 
 TEST(DeckErrors, PeriodicDirections) {
-  const auto expect = [](const std::vector<std::string>& overrides, const std::string& message) {
-    EXPECT_EQ(message_of(example_deck, overrides), message);
+  const std::string no_pile = example_deck.substr(0, example_deck.find("[measurement.angle_of_repose]"));
+  const auto expect = [&](const std::vector<std::string>& overrides, const std::string& message) {
+    EXPECT_EQ(message_of(no_pile, overrides), message);
   };
   expect({"domain.periodic=[\"x\", \"y\"]"}, "no error");
   expect({"domain.periodic=[\"x\", \"x\"]"}, "--set domain.periodic=[\"x\", \"x\"]: \"x\" is given twice");
   expect({"domain.periodic=[\"w\"]"},
          "--set domain.periodic=[\"w\"]: \"w\" is no periodic.0; it must be one of x, y, z; the nearest is \"x\"");
   expect({"domain.periodic=\"x\""},
-         "--set domain.periodic=\"x\": \"periodic\" must be a list of choices, not the text \"x\"");
+         "--set domain.periodic=\"x\": \"periodic\" must be a list of choices, not the text \"x\"; write [\"x\"]");
   expect(
       {"gravity=[1, 0, -9]", "domain.periodic=[\"x\"]"},
       "--set domain.periodic=[\"x\"]: gravity along x is not zero, so the fall along the periodic direction x has no "
       "end; set time.expected_speed");
   expect({"gravity=[1, 0, -9]", "domain.periodic=[\"x\"]", "time.expected_speed=2"}, "no error");
+  expect({"gravity=[1, 0, -9]", "domain.periodic=[\"x\"]", "contact.normal_law=hooke",
+          "contact.hooke_characteristic_velocity=2"},
+         "no error");  // whose time step knows no speed
   EXPECT_EQ(message_of(example_deck, {"gravity=[0, 0, 0]", "domain.periodic=[\"z\"]"}),
             "deck.toml:76:1: the height z must not be a periodic direction of the [domain]");
 }
@@ -611,7 +622,7 @@ TEST(DeckErrors, ShearCellsAndBedsUnderLids) {
   says(cell("walls=['floor'], type='rotation', outer_radius=0.1, inner_radius=0.1"), "must be greater than");
   says({"measurement.shear={walls=['floor'], area=1, direction=[1,0,0], plane_height=0, phase='flw'}"},
        "unknown phase \"flw\"; the nearest is \"flow\"");
-  const std::string lid = "wall.0.servo={direction=[0,0,-1], force=1, max_speed=0.1, max_way=1}";
+  const std::string lid = "wall.0.servo={direction=[0,0,-1], force=1, max_speed=0.1, max_way=0.05}";
   const auto bed = [](const std::string& phases) {
     return "measurement.compression={lid='floor', area='1 cm2', height=0.1, " + phases + "}";
   };

@@ -72,7 +72,7 @@ TEST(ReadDeck, Overrides) {
   const Deck deck = read(
       {"time.step=2e-6", "material.0.density=3000", "material.steel.density = 7.9 g/cm3", "wall.tube.present=false",
        "pair.glass-steel.restitution=0.4", "pair.0.restitution=0.3", "measurement.discharge.plugged_share=0.3",
-       "gravity=[0,\"1 mm/s2\",-1]", "run.title=two words", "run.seed=7", "output.trace=true",
+       "gravity=[0,0,\"-1 mm/s2\"]", "run.title=two words", "run.seed=7", "output.trace=true",
        "particles.0.diameter=440 um", "phase.flow.time=\"3 ms\"", "time.step=5 us",
        "measurement.angle_of_repose.camera=perspective", "measurement.angle_of_repose.camera_distance=0.3"});
   EXPECT_EQ(deck.time.step, 5e-6);  // the last one counts
@@ -82,7 +82,7 @@ TEST(ReadDeck, Overrides) {
   EXPECT_EQ(deck.pairs[0].restitution, 0.3);
   EXPECT_EQ(deck.pairs[1].restitution, 0.4);
   EXPECT_EQ(deck.discharge.plugged_share, 0.3);
-  EXPECT_EQ(deck.gravity, (Vec3{0.0, 0.001, -1.0}));
+  EXPECT_EQ(deck.gravity, (Vec3{0.0, 0.0, -0.001}));
   EXPECT_EQ(deck.run.title, "two words");
   EXPECT_EQ(deck.run.seed, 7u);
   EXPECT_TRUE(deck.output.trace);

@@ -109,7 +109,7 @@ TEST(RoundTrip, AwkwardValues) {
   Deck deck = read_deck(example_deck, "deck.toml", {});
   deck.run.title = "quotes \" and \\ and\nnew lines\t\x01, \xC2\xB5";
   deck.run.seed = 9223372036854775807;
-  deck.gravity = {-0.0, 1.0 / 3.0, -1e-300};
+  deck.gravity = {-0.0, 1e-300, -1.0 / 3.0};
   deck.materials[0].youngs_modulus = 123456789012345680000.0;
   deck.materials[1].youngs_modulus = 1e16;
   deck.time.step = 4.9406564584124654e-324;

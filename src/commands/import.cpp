@@ -54,6 +54,7 @@ class Import : public Command {
     create_output_directory(output_);
     for (const auto& [path, bytes] : files) write_text_file(path, bytes);
     std::string said = deck + "\n";
+    for (const Note& note : imported.warnings) said += "warning: " + text(note) + "\n";
     for (const Note& note : imported.missing) said += "without a counterpart: " + text(note) + "\n";
     return said;
   }

@@ -235,15 +235,6 @@ void delete_atoms(Translation& to, Words& words) {
 /// fix ID GROUP freeze: acts when the first run begins (settle_groups).
 void freeze(Translation& to, Words& words) { comes_too_late(to, words); }
 
-/// compute ID GROUP STYLE ...: of interest is who knows the radii.
-void compute(Translation& to, Words& words) {
-  const std::string name = words.word("the name of the compute");
-  words.word("the group of the compute");
-  if (words.take("property/atom") && words.take("radius") && words.at_end()) to.scene.radius_computes.insert(name);
-  words.rest();
-  note_needless(to.scene, words.command(), "a run writes its own results");
-}
-
 /// The factor by which a formula of the radii, `c_NAME`, makes diameters larger; none when it is no such formula.
 std::optional<double> growth_factor(const std::string& formula, const std::set<std::string>& radius_computes) {
   const auto diameter_for = [&](double radius) {
@@ -295,8 +286,7 @@ const Translations& grain_commands() {
                                         {"group", group},
                                         {"set", set},
                                         {"velocity", velocity},
-                                        {"delete_atoms", delete_atoms},
-                                        {"compute", compute}};
+                                        {"delete_atoms", delete_atoms}};
   return commands;
 }
 

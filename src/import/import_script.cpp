@@ -223,6 +223,17 @@ double share_of(double step, double critical) {
   return std::isfinite(critical) ? std::min(1.0, std::ceil(100.0 * step / critical + 1e-9) / 100.0) : 0.0;
 }
 
+/// A time step that takes more than the usual shares of the Rayleigh and Hertz times.
+std::vector<Note> warnings_of_step(const ImportedScene& scene, const TimeShares& shares) {
+  const TimeDeck usual;
+  if (shares.rayleigh <= usual.rayleigh_fraction && shares.hertz <= usual.hertz_fraction) return {};
+  return {
+      {scene.timestep_place, "timestep",
+       fmt::format("it takes {} of the Rayleigh time and {} of the Hertz time; shares above {} and {} can keep beds "
+                   "from resting",
+                   shares.rayleigh, shares.hertz, usual.rayleigh_fraction, usual.hertz_fraction)}};
+}
+
 }  // namespace
 
 std::string deck_name(const std::string& script) {
@@ -246,7 +257,7 @@ ImportedDeck import_script(const std::string& script, const ReadFile& read_file,
   }
   check_complete(to.scene, last);
   const Draft loose = draft_of(to.scene, script, {});
-  ImportedDeck result{.deck = {}, .files = files_of(to.scene, loose, read_file), .missing = {}};
+  ImportedDeck result{.deck = {}, .files = files_of(to.scene, loose, read_file), .missing = {}, .warnings = {}};
   const ReadFile read_imported = [&](const std::string& name) {
     for (const auto& [file, bytes] : result.files) {
       if (file == name) return bytes;
@@ -259,6 +270,7 @@ ImportedDeck import_script(const std::string& script, const ReadFile& read_file,
   Draft draft = draft_of(to.scene, script, shares);
   result.deck = std::move(draft.deck);
   result.missing = std::move(draft.missing);
+  result.warnings = warnings_of_step(to.scene, shares);
   read_imported_deck(result.deck, script);
   return result;
 }

@@ -14,6 +14,7 @@ struct ImportedDeck {
   std::string deck;                                        ///< TOML
   std::vector<std::pair<std::string, std::string>> files;  ///< beside it: name and bytes
   std::vector<Note> missing;                               ///< commands without a counterpart
+  std::vector<Note> warnings;                              ///< what is to be looked at in the deck
 };
 
 /// The deck of an input script of LIGGGHTS, with comments that name the line of each part, and what has no counterpart.

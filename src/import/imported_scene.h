@@ -240,7 +240,8 @@ struct ImportedScene {
   std::vector<ScriptWall> walls = {};
   std::vector<MeshMotion> motions = {};
   std::vector<ScriptInsertion> insertions = {};
-  std::set<std::string> radius_computes = {};  ///< names of `compute ... property/atom radius`
+  std::set<std::string> radius_computes = {};   ///< names of `compute ... property/atom radius`
+  std::set<std::string> contact_computes = {};  ///< names of `compute ... pair/gran/local | wall/gran/local`
   std::vector<ScriptGrowth> growths = {};
   std::optional<ScriptHeat> heat = {};
   std::vector<ScriptHeating> heatings = {};
@@ -249,6 +250,8 @@ struct ImportedScene {
   std::vector<ScriptRun> runs = {};
   std::optional<double> dump_interval = {};    ///< s
   std::optional<double> series_interval = {};  ///< s
+  bool writes_contacts = false;                ///< a dump of contacts is there
+  bool writes_walls = false;                   ///< a dump of meshes is there
   std::int64_t first_step = 0;                 ///< of the counter of LIGGGHTS, when ours is 0
   bool integrates = false;                     ///< a fix nve/sphere is there in the first run
 

@@ -7,6 +7,13 @@
 namespace repose {
 namespace {
 
+/// A density or radius that is not constant.
+[[noreturn]] void refuse_distributed(const std::string& key, const std::string& style, const Words& words) {
+  words.fail(fmt::format("a {} that is {}: {}", key, style,
+                         key == "radius" ? "write [particles.sizes] by hand, or several templates of constant radius"
+                                         : "only constant ones have a counterpart"));
+}
+
 /// fix particletemplate/sphere SEED atom_type N density constant D radius constant R
 void particle_template(Translation& to, Words& words) {
   refuse_second(to.scene, words.command().words[1], words);
@@ -18,8 +25,7 @@ void particle_template(Translation& to, Words& words) {
       made.type = words.type();
     } else if (key == "density" || key == "radius") {
       const std::string& style = words.word("how it is distributed");
-      if (style != "constant")
-        words.fail(fmt::format("a {} that is {}: only constant ones have a counterpart", key, style));
+      if (style != "constant") refuse_distributed(key, style, words);
       (key == "density" ? made.density : made.radius) = words.number(key);
     } else if (key == "volume_limit") {
       words.number(key);

@@ -56,6 +56,10 @@ class InsertionWriter {
 
  private:
   double step() const { return *scene_.timestep; }
+  /// Between batches, of which the first comes that much after the start: in time before the script ends.
+  double batch_steps(double wanted) const {
+    return std::min(wanted, std::max(1.0, std::floor(0.5 * static_cast<double>(scene_.steps() - first_step_))));
+  }
   double start_time() const { return static_cast<double>(first_step_) * step(); }
 
   void begin(const Portion& portion, const std::string& type) {
@@ -191,8 +195,7 @@ class InsertionWriter {
       all += whole(static_cast<double>(count + later));
       if (begins_filled) fill(portion, where, count);
       if (begins_filled && later == 0) continue;
-      const bool tries_again = repeats && !is_emptied_before;
-      const double every = is_emptied_before || tries_again ? interval : burst_steps * step();
+      const double every = repeats ? interval : batch_steps(burst_steps) * step();
       const double rate = static_cast<double>(each) / every * (is_emptied_before ? just_above : 2.0);
       batches(portion, where, begins_filled ? later : count + later, rate, every);
     }
@@ -268,7 +271,7 @@ class InsertionWriter {
         deck_.key("face", walls_.faces.at(now_->face));
         if (norm(now_->velocity) > 0.0) deck_.key("interval", stream_interval());
       } else {
-        if (now_->every > 0) deck_.key("interval", static_cast<double>(now_->every) * step());
+        if (now_->every > 0) deck_.key("interval", batch_steps(static_cast<double>(now_->every)) * step());
         region(where);
       }
       end(portion, false);

@@ -9,6 +9,9 @@
 namespace repose {
 namespace {
 
+constexpr const char* contacts_are_written =
+    "contacts are written with their forces beside each snapshot with output.contacts = true";
+
 void timestep(Translation& to, Words& words) {
   const double step = words.number("the time step") * to.scene.units.time;
   if (!(step > 0.0)) words.fail("the time step is above 0");
@@ -88,14 +91,69 @@ void unfix(Translation& to, Words& words) {
   note_needless(to.scene, words.command(), fmt::format("fix {} is not in the deck", style));
 }
 
+/// Why a compute is not needed: where a run has what it computes.
+std::string reason_of_compute(const std::string& style) {
+  if (style.ends_with("/gran/local")) return contacts_are_written;
+  if (style.starts_with("coord/")) return "contacts are counted in series.csv, not for each grain";
+  if (style.starts_with("stress/atom")) return fields_are_made;
+  return "a run writes its own results";
+}
+
+/// compute ID GROUP STYLE ...: of interest is who knows the radii, and who the contacts.
+void compute(Translation& to, Words& words) {
+  const std::string name = words.word("the name of the compute");
+  words.word("the group of the compute");
+  const std::string style = words.word("the style of the compute");
+  const bool knows_radii = style == "property/atom" && words.take("radius") && words.at_end();
+  if (knows_radii) to.scene.radius_computes.insert(name);
+  to.scene.contact_computes.erase(name);
+  if (style.ends_with("/gran/local")) to.scene.contact_computes.insert(name);
+  words.rest();
+  note_needless(to.scene, words.command(), reason_of_compute(style));
+}
+
+/// Whether a word of a dump, such as c_NAME[1], is of a compute of contacts.
+bool is_of_contacts(const std::string& word, const ImportedScene& scene) {
+  const std::size_t begin = word.starts_with("c_") ? 2 : 0;
+  return scene.contact_computes.contains(word.substr(begin, word.find('[') - begin));
+}
+
+void dump_local(Translation& to, Words& words) {
+  const std::vector<std::string> what = words.rest();
+  to.scene.writes_contacts = to.scene.writes_contacts || std::any_of(what.begin(), what.end(), [&](const auto& word) {
+                               return is_of_contacts(word, to.scene);
+                             });
+  note_needless(to.scene, words.command(), contacts_are_written);
+}
+
+void dump_mesh(Translation& to, Words& words) {
+  to.scene.writes_walls = true;
+  note_needless(
+      to.scene, words.command(),
+      "the walls are written beside each snapshot with output.walls = true; forces are in walls.csv, for each "
+      "wall, not for each triangle");
+}
+
+/// A dump that has no grains in it.
+bool is_of_other_things(const std::string& style) {
+  return style.starts_with("decomposition") || style == "image" || style == "movie";
+}
+
 /// dump ID GROUP STYLE N FILE ...: the first of grains says how often snapshots are written.
 void dump(Translation& to, Words& words) {
   words.word("the name of the dump");
   words.word("the group of the dump");
   const std::string& style = words.word("the style of the dump");
   const auto every = static_cast<double>(words.steps("the steps between dumps"));
-  if (style.starts_with("mesh") || style.starts_with("euler") || !(every >= 1.0) || to.scene.dump_interval) {
+  if (style.starts_with("local")) return dump_local(to, words);
+  if (style.starts_with("mesh")) return dump_mesh(to, words);
+  if (style.starts_with("euler")) return note_needless(to.scene, words.command(), fields_are_made);
+  if (is_of_other_things(style) || !(every >= 1.0)) {
     return note_needless(to.scene, words.command(), "a run writes its own results");
+  }
+  if (to.scene.dump_interval) {
+    return note_needless(to.scene, words.command(),
+                         "snapshots have all of the grains, as often as the first dump says");
   }
   if (!to.scene.timestep) return note_missing(to.scene, words.command(), "its interval is not known before a timestep");
   to.scene.dump_interval = every * *to.scene.timestep;
@@ -115,7 +173,8 @@ void thermo(Translation& to, Words& words) {
 
 const Translations& run_commands() {
   static const Translations commands = {{"timestep", timestep}, {"run", run},   {"reset_timestep", reset_timestep},
-                                        {"unfix", unfix},       {"dump", dump}, {"thermo", thermo}};
+                                        {"unfix", unfix},       {"dump", dump}, {"compute", compute},
+                                        {"thermo", thermo}};
   return commands;
 }
 

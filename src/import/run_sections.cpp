@@ -79,15 +79,16 @@ void write_domain(DeckText& deck, const ImportedScene& scene, const Extent& doma
 
 void write_time(DeckText& deck, const ImportedScene& scene, const TimeShares& shares) {
   const TimeDeck usual;
-  const auto share = [&](const char* name, double value, double usual_value) {
-    if (value > usual_value) deck.key(name, value, fmt::format("more than {}, as the time step needs it", usual_value));
+  const auto share = [&](const char* name, double value, double usual_value, const char* so) {
+    if (value > usual_value)
+      deck.key(name, value, fmt::format("more than {}, as the time step needs it{}", usual_value, so));
   };
   deck.section("[time]", scene.timestep_place);
   deck.key("step", *scene.timestep);
   deck.key("expected_speed", expected_speed(scene));
-  share("rayleigh_fraction", shares.rayleigh, usual.rayleigh_fraction);
-  share("hertz_fraction", shares.hertz, usual.hertz_fraction);
-  share("hooke_fraction", shares.hooke, usual.hooke_fraction);
+  share("rayleigh_fraction", shares.rayleigh, usual.rayleigh_fraction, "; beds may not come to rest");
+  share("hertz_fraction", shares.hertz, usual.hertz_fraction, "; beds may not come to rest");
+  share("hooke_fraction", shares.hooke, usual.hooke_fraction, "");
 }
 
 void write_phases(DeckText& deck, const ImportedScene& scene, const WallNames& walls, const Extent& domain) {
@@ -123,10 +124,14 @@ void write_guards(DeckText& deck) {
 }
 
 void write_output(DeckText& deck, const ImportedScene& scene) {
-  if (!scene.dump_interval && !scene.series_interval) return;
+  if (!scene.dump_interval && !scene.series_interval && !scene.writes_contacts && !scene.writes_walls) return;
+  const char* when =
+      scene.dump_interval ? "beside each snapshot" : "at the end alone: no dump of grains says how often";
   deck.section("[output]");
   if (scene.dump_interval) deck.key("snapshot_interval", *scene.dump_interval, "dump");
   if (scene.series_interval) deck.key("series_interval", *scene.series_interval, "thermo");
+  if (scene.writes_contacts) deck.key("contacts", true, fmt::format("dump local; {}", when));
+  if (scene.writes_walls) deck.key("walls", true, fmt::format("dump mesh; {}", when));
 }
 
 }  // namespace repose

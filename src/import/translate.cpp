@@ -55,7 +55,7 @@ const std::map<std::string, std::string>& needless_fixes() {
       {"print", "a run writes its own results"},
       {"ave/time", "a run writes its own results"},
       {"ave/atom", "a run writes its own results"},
-      {"ave/euler", "a run writes its own results"},
+      {"ave/euler", fields_are_made},
       {"ave/histo", "a run writes its own results"},
       {"ave/spatial", "a run writes its own results"},
       {"store/state", "a run writes its own results"},
@@ -107,7 +107,8 @@ std::string reason_of_missing_fix(const std::string& style) {
       {"couple", "there is no coupling to other programs"},
       {"cfd", "there is no coupling to other programs"},
       {"lb/", "there are no fluids"},
-      {"massflow/mesh", "mass is counted at the exits of the domain ([[exit]])"},
+      {"massflow/mesh",
+       "mass is counted at the exits of the domain ([[exit]]) and below a height ([measurement.discharge])"},
       {"mesh/module", "such a mesh has no counterpart"},
       {"efield", "there are no fields"},
   };
@@ -131,7 +132,11 @@ void translate_fix(Translation& to, Words& words) {
   if (to.scene.fixes.contains(id)) end_fix(to.scene, id);  // a fix of the same name replaces it
   to.scene.fixes[id] = {words.command()};
   if (style.starts_with("mesh/surface")) {
-    if (style.find("servo") != std::string::npos || style.find("6dof") != std::string::npos) {
+    if (style.find("servo") != std::string::npos) {
+      words.fail(fmt::format("fix {}: write the mesh as a [[wall]] with [wall.servo] by hand (docs/user-guide.md#wall)",
+                             style));
+    }
+    if (style.find("6dof") != std::string::npos) {
       words.fail(fmt::format("fix {}: a mesh that the grains move has no counterpart", style));
     }
     style = "mesh/surface";

@@ -19,6 +19,9 @@ struct Translation {
   const std::string& dump;  ///< whose grains are there at the start; empty: none
 };
 
+/// Why commands for fields are not needed.
+inline constexpr const char* fields_are_made = "repose fields makes density, velocity and stress from snapshots";
+
 void note_missing(ImportedScene& scene, const ScriptCommand& command, const std::string& reason);
 void note_needless(ImportedScene& scene, const ScriptCommand& command, const std::string& reason);
 

@@ -99,6 +99,11 @@ class Import(FolderTest):
         self.fails(2, "in.changed:43: fix drag all viscous 0.1: there is no drag", "import", script, "--output", strict, "--strict")
         self.assertFalse(os.path.exists(strict))
 
+    def test_a_long_time_step_is_warned_of(self):
+        said = self.make("--strict", script=self.script(("timestep    ${dt}", "timestep 1e-4")))
+        self.assertIn("\nwarning: in.changed:27: timestep: it takes 0.41 of the Rayleigh time and 0.21 of the Hertz time; shares "
+                      "above 0.2 and 0.1 can keep beds from resting\n", said)
+
     def test_errors_name_the_line(self):
         for change, message in [
             (("peratomtype 0.3", "peratomtype much"), r"in\.changed:20: \"much\" where a number is expected"),

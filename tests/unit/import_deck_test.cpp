@@ -371,9 +371,22 @@ TEST(ImportDeck, FillsUpToATarget) {
   const auto later =
       import_text(test::falling + "unfix ins\n" + second_pack("fill particles_in_region 80") + "run 50\n");
   EXPECT_EQ(later.deck.particles[1].count, 80);
+  EXPECT_DOUBLE_EQ(later.deck.particles[1].interval, 25 * 1e-5);  // the first batch comes before the script ends
   EXPECT_EQ(notes_of(later.imported),
             "in.x:22: fix ins2 insert/pack: LIGGGHTS counts the grains of fix ins that are in its region by then, and "
             "adds what is lacking; here all 80 come\n");
+}
+
+TEST(ImportDeck, InsertsAtARateBeforeTheScriptEnds) {
+  std::string script = with("insert/pack", "insert/rate/region");
+  const auto replace = [&](const std::string& one, const std::string& two) {
+    script.replace(script.find(one), one.size(), two);
+  };
+  replace("insert_every once", "nparticles 40 particlerate 1e5 insert_every 1000");
+  replace(" particles_in_region 50", "");
+  EXPECT_DOUBLE_EQ(import_text(script).deck.particles.at(0).interval, 500 * 1e-5);
+  replace("insert_every 1000", "insert_every 100");
+  EXPECT_DOUBLE_EQ(import_text(script).deck.particles.at(0).interval, 100 * 1e-5);
 }
 
 TEST(ImportDeck, CountsTheGrainsOfListsInTheRegion) {
@@ -502,6 +515,43 @@ TEST(ImportDeck, PassesOverWhatOnlyWrites) {
                  "vx file p\n"));
   EXPECT_EQ(notes_of(imported), "");
   EXPECT_EQ(error_of(before_run("shell cd post\n")), "in.x:20: shell cd: nothing in a script is executed");
+}
+
+TEST(ImportDeck, TakesTheIntervalOfSnapshotsFromDumpsOfGrainsAlone) {
+  const std::string contacts =
+      "compute fc all pair/gran/local pos id force\ncompute fw all wall/gran/local id force\n"
+      "compute cn all coord/gran\ndump d1 all local 50 f.txt c_fc[1] c_fc[2]\n";
+  const std::string others = "dump d2 all mesh/vtk 20 m.vtk stress\ndump d3 all euler/vtk 30 e.vtk\n";
+  const auto [deck, imported] =
+      import_text(before_run(contacts + others + "dump d4 all custom/vtk 100 p.vtk id x y z\ndump d5 all xyz 10 x\n"));
+  EXPECT_DOUBLE_EQ(deck.output.snapshot_interval, 100 * 1e-5);
+  EXPECT_TRUE(deck.output.contacts);
+  EXPECT_TRUE(deck.output.walls);
+  EXPECT_EQ(notes_of(imported), "");
+  const std::string written =
+      "contacts are written with their forces beside each snapshot with output.contacts = true\n";
+  for (const std::string& line : std::vector<std::string>{
+           "contacts = true  # dump local; beside each snapshot\n", "walls = true  # dump mesh; beside each snapshot\n",
+           "in.x:20: compute fc all pair/gran/local pos id force: " + written,
+           "in.x:21: compute fw all wall/gran/local id force: " + written,
+           "in.x:22: compute cn all coord/gran: contacts are counted in series.csv, not for each grain\n",
+           "in.x:23: dump d1 all local 50 f.txt c_fc[1] c_fc[2]: " + written,
+           "in.x:24: dump d2 all mesh/vtk 20 m.vtk stress: the walls are written beside each snapshot with "
+           "output.walls = true; forces are in walls.csv, for each wall, not for each triangle\n",
+           "in.x:27: dump d5 all xyz 10 x: snapshots have all of the grains, as often as the first dump says\n"}) {
+    EXPECT_NE(imported.deck.find(line), std::string::npos) << line << "\n" << imported.deck;
+  }
+}
+
+TEST(ImportDeck, WritesContactsAndWallsWhereADumpDoes) {
+  const auto output = [](const std::string& lines) { return import_text(before_run(lines)).deck.output; };
+  EXPECT_EQ(output("dump d all mesh/stl 20 m.stl\n").snapshot_interval, 0.0);
+  EXPECT_TRUE(output("dump d all mesh/stl 20 m.stl\n").walls);
+  const std::string of_walls = "compute fw all wall/gran/local force\n";
+  EXPECT_TRUE(output(of_walls + "dump d all local/gran/vtk 20 f.vtk fw\n").contacts);
+  EXPECT_FALSE(output(of_walls).contacts);
+  EXPECT_FALSE(output(of_walls + "dump d all local 20 f.txt index c_other[1]\n").contacts);
+  EXPECT_FALSE(output("dump d all custom 20 p.txt id c_fw\n").walls);
 }
 
 TEST(ImportDeck, NamesTheLineOfAMeshThatIsNotThere) {
@@ -697,10 +747,31 @@ TEST(ImportDeck, RefusesWithTheLineAndTheReason) {
             "(--dump)");
 }
 
+TEST(ImportDeck, SaysWhatIsToBeWrittenByHand) {
+  EXPECT_EQ(
+      error_of(before_run("fix cad all mesh/surface/stress/servo file face.stl type 1 com 0 0 0 ctrlPV force axis "
+                          "0 0 -1 target_val 5 vel_max 1 kp 5\n")),
+      "in.x:20: fix mesh/surface/stress/servo: write the mesh as a [[wall]] with [wall.servo] by hand "
+      "(docs/user-guide.md#wall)");
+  EXPECT_EQ(error_of(before_run("fix cad all mesh/surface/stress/6dof file face.stl type 1\n")),
+            "in.x:20: fix mesh/surface/stress/6dof: a mesh that the grains move has no counterpart");
+  EXPECT_EQ(
+      error_of(with("radius constant 0.004", "radius uniform 0.003 0.004")),
+      "in.x:14: a radius that is uniform: write [particles.sizes] by hand, or several templates of constant radius");
+  EXPECT_EQ(error_of(with("density constant 2000", "density uniform 2000 2500")),
+            "in.x:14: a density that is uniform: only constant ones have a counterpart");
+}
+
 TEST(ImportDeck, TakesATimeStepThatIsLongerThanUsual) {
-  const Deck deck = import_text(with("timestep 1e-5", "timestep 1e-4")).deck;
+  const auto [deck, imported] = import_text(with("timestep 1e-5", "timestep 1e-4"));
   EXPECT_EQ(deck.time.step, 1e-4);
   EXPECT_GT(deck.time.hertz_fraction + deck.time.rayleigh_fraction, 0.3);
+  ASSERT_EQ(imported.warnings.size(), 1U);
+  EXPECT_TRUE(imported.missing.empty());
+  const std::string warning = text(imported.warnings[0]);
+  EXPECT_TRUE(warning.starts_with("in.x:11: timestep: it takes 0.")) << warning;
+  EXPECT_TRUE(warning.ends_with("; shares above 0.2 and 0.1 can keep beds from resting")) << warning;
+  EXPECT_TRUE(import_text(test::falling).imported.warnings.empty());
 }
 
 TEST(ImportDeck, NamesTheDeck) {

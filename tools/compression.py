@@ -13,6 +13,9 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "python"), os.path.join(HERE, "..", "python")]  # of the source, installed
+from repose_needs import need  # noqa: E402
+
+need("numpy", "matplotlib")
 import repose  # noqa: E402
 from repose import plots  # noqa: E402
 from repose.compression import Compression  # noqa: E402

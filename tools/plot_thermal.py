@@ -9,6 +9,9 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "python"), os.path.join(HERE, "..", "python")]  # of the source, installed
+from repose_needs import need  # noqa: E402
+
+need("numpy", "matplotlib")
 from repose.files import ReposeError, read_json  # noqa: E402
 from repose.plots.style import new_figure  # noqa: E402
 

@@ -15,6 +15,9 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "python"), os.path.join(HERE, "..", "python")]  # of the source, installed
+from repose_needs import need  # noqa: E402
+
+need("numpy", "matplotlib")
 import repose  # noqa: E402
 from repose import plots  # noqa: E402
 from repose.shear import Shear, steady_locus, yield_locus  # noqa: E402

@@ -13,10 +13,13 @@ import argparse
 import os
 import sys
 
-import numpy as np
-from matplotlib.figure import Figure
-
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from repose_needs import need  # noqa: E402
+
+need("numpy", "h5py", "matplotlib")
+import numpy as np  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
+
 import repose  # noqa: E402
 
 

@@ -10,6 +10,8 @@ namespace {
 constexpr double ln2_high = 6.93147180369123816490e-01;
 constexpr double ln2_low = 1.90821492927058770002e-10;
 
+constexpr double square_root_of_2 = 1.4142135623730951;
+
 }  // namespace
 
 double log_reproducible(double x) {
@@ -48,6 +50,31 @@ double fifth_root(double x) {
     y = next;
   }
   return y;
+}
+
+double atan_reproducible(double x) {
+  double s = std::fabs(x);
+  double known = 0.0;  // an angle to which that of the rest is added
+  if (s > 1.0 + square_root_of_2) {
+    known = 0.5 * pi;
+    s = -1.0 / s;
+  } else if (s > square_root_of_2 - 1.0) {
+    known = 0.25 * pi;
+    s = (s - 1.0) / (s + 1.0);
+  }
+  const double s2 = s * s;  // |s| < 0.415: the series of s^(2k+1)/(2k+1) ends below half an ulp
+  double series = 0.0;
+  for (int k = 43; k >= 3; k -= 2) series = s2 * (1.0 / k - series);
+  return std::copysign(known + (s - s * series), x);
+}
+
+double whole_power(double x, double n) {
+  double power = 1.0;
+  for (double left = n; left > 0.0; left = std::floor(0.5 * left)) {
+    if (std::fmod(left, 2.0) == 1.0) power *= x;
+    x *= x;
+  }
+  return power;
 }
 
 SineCosine sin_cos_reproducible(double angle) {

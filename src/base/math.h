@@ -15,6 +15,12 @@ double exp_reproducible(double x);
 /// x^(1/5) for x > 0, within 2 ulp, by arithmetic only (Newton's iteration from a power of two).
 double fifth_root(double x);
 
+/// Arc tangent in rad, within 2 ulp, by arithmetic only.
+double atan_reproducible(double x);
+
+/// x^n for a whole n >= 0, by multiplications only.
+double whole_power(double x, double n);
+
 struct SineCosine {
   double sine;
   double cosine;

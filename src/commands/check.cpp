@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/core.h>
 
 #include "campaign/calibrate.h"
@@ -22,7 +24,10 @@ constexpr double bytes_per_rank = 60e6;  // the program and its libraries
 
 std::string limits_text(const Deck& deck, const TimeStep& dt) {
   if (deck.contact.normal_law == NormalLaw::hooke) {
-    return fmt::format("limits      {:.4g} s Hooke ({:.0f} %)\n", dt.hooke_limit, 100.0 * deck.time.hooke_fraction);
+    const std::string damping =
+        dt.damping_limit < TimeStep::infinite ? fmt::format(", {:.4g} s damping rate", dt.damping_limit) : "";
+    return fmt::format("limits      {:.4g} s Hooke ({:.0f} %){}\n", dt.hooke_limit, 100.0 * deck.time.hooke_fraction,
+                       damping);
   }
   return fmt::format("limits      {:.4g} s Rayleigh ({:.0f} %), {:.4g} s Hertz ({:.0f} %, at {:.3g} m/s)\n",
                      dt.rayleigh_limit, 100.0 * deck.time.rayleigh_fraction, dt.hertz_limit,
@@ -39,6 +44,18 @@ double costly_steps(const Deck& deck, const TimeStep& dt) {
   return steps;
 }
 
+/// What a pour brings in, in a run that is over after `end` s.
+std::string pour_text(const Pour& pour, double end) {
+  const double first = pour.deck.start_time + pour.interval;
+  const double last = std::ceil((pour.due_time.back() - pour.deck.start_time) / pour.interval) * pour.interval;
+  return fmt::format("pour        {} particles from {:.4g} to {:.4g} s, every {:.3g} s from {:.4g} s on{}\n",
+                     pour.size(), pour.deck.start_time, pour.due_time.back(), pour.interval, first,
+                     first > end ? fmt::format("; none before the run ends, after {:.4g} s", end)
+                     : pour.deck.start_time + last > end
+                         ? fmt::format("; not all before the run ends, after {:.4g} s", end)
+                         : "");
+}
+
 /// What a run of this deck would be: particles, time step and what sets it, steps, expected memory and time on `ranks`
 /// ranks. Sets the scene up but runs nothing. DeckError as a run would.
 std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks) {
@@ -48,10 +65,7 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
 
   std::string report =
       fmt::format("particles   {} ({:.6g} kg)\n", insertion.planned, planned_mass(insertion, materials));
-  for (const Pour& pour : insertion.pours) {
-    report += fmt::format("pour        {} particles from {:.4g} to {:.4g} s, every {:.3g} s\n", pour.size(),
-                          pour.deck.start_time, pour.due_time.back(), pour.interval);
-  }
+  for (const Pour& pour : insertion.pours) report += pour_text(pour, most_steps(deck, dt) * dt.step);
   for (const SizeReport& sizes : insertion.sizes) report += size_report_text(sizes);
   for (const Wall& wall : walls) {
     if (const auto* mesh = std::get_if<Mesh>(&wall.shape)) {

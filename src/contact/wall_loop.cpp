@@ -109,7 +109,7 @@ template <class Law, Lanes Real, bool may_move>
     // The thesis's program scales the rotation at a wall by the lever arm over the distance.
     store((arm / distance) * without_normal_part(seen.spin, n), contact.rolling_velocity, k);
     if constexpr (Law::has_options) {
-      store(n, contact.velocity_normal, k);  // of a flat wall, the same at all times
+      store(n, contact.velocity_normal, k);  // of a flat wall that does not turn, the same at all times
       store((arm / distance) * dot(seen.spin, n), contact.twist + k);
       store(1.4 * (mass * (p.radius * p.radius)), contact.rolling_inertia + k);
       store(cohesive_area_at_wall(pair, p.radius, distance, overlap), contact.cohesive_area + k);

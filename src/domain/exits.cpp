@@ -9,7 +9,7 @@ namespace repose {
 namespace {
 
 /// Whether a position beyond the face of an exit is beside the part of it that the exit takes.
-bool is_beside(const ExitDeck& exit, const Vec3& x) {
+bool takes(const ExitDeck& exit, const Vec3& x) {
   const auto within = [](double value, double min, double max) { return !(value < min) && !(value >= max); };
   const auto across = static_cast<Axis>(static_cast<int>(exit.face) / 2);
   return (across == Axis::x || within(x.x, exit.min.x, exit.max.x)) &&
@@ -59,7 +59,7 @@ void retire_leavers(const DomainDeck& domain, std::span<const ExitDeck> exits, c
     ++left.particles[face];
     left.mass[face] += mass;
     const auto named = std::find_if(exits.begin(), exits.end(), [&](const ExitDeck& exit) {
-      return static_cast<std::size_t>(exit.face) == face && is_beside(exit, x);
+      return static_cast<std::size_t>(exit.face) == face && takes(exit, x);
     });
     if (named != exits.end()) {
       const auto e = static_cast<std::size_t>(named - exits.begin());

@@ -67,11 +67,19 @@ double shortest_hooke_time(const MaterialTable& materials, const SmallestRadii& 
   });
 }
 
+double shortest_damping_limit(const MaterialTable& materials, const SmallestRadii& radii) {
+  return shortest_contact_time(materials, radii, [](const PairParameters& pair, double, double) {
+    const PairCoefficients& c = pair.coefficients;
+    return has_hooke_damping_rate(c) ? damping_limit(c.hooke_damping_rate, c.hooke_tangential_damping_rate) : infinite;
+  });
+}
+
 TimeStep limits_of(const Deck& deck, const MaterialTable& materials, const SmallestRadii& radii, double speed) {
   TimeStep limits;
   limits.speed = speed;
   if (deck.contact.normal_law == NormalLaw::hooke) {
     limits.hooke_limit = deck.time.hooke_fraction * shortest_hooke_time(materials, radii);
+    limits.damping_limit = shortest_damping_limit(materials, radii);
   } else {
     limits.rayleigh_limit = deck.time.rayleigh_fraction * shortest_rayleigh_time(materials, radii);
     limits.hertz_limit = deck.time.hertz_fraction * shortest_hertz_time(materials, radii, speed);
@@ -80,18 +88,22 @@ TimeStep limits_of(const Deck& deck, const MaterialTable& materials, const Small
   return limits;
 }
 
-/// What limits the step: its name, its share, the limit in s.
+/// What limits the step: its name, the limit in words and in s.
 struct Criterion {
   std::string name;
-  std::string title;
-  double share;
+  std::string text;
   double limit;
 };
 
 Criterion tightest(const TimeDeck& time, const TimeStep& limits) {
-  const Criterion all[] = {{"hertz", "Hertz", time.hertz_fraction, limits.hertz_limit},
-                           {"rayleigh", "Rayleigh", time.rayleigh_fraction, limits.rayleigh_limit},
-                           {"hooke", "Hooke", time.hooke_fraction, limits.hooke_limit}};
+  const auto share = [](double fraction, const char* title) {
+    return fmt::format("{:.0f} % of the {} time", 100.0 * fraction, title);
+  };
+  const Criterion all[] = {
+      {"hertz", share(time.hertz_fraction, "Hertz"), limits.hertz_limit},
+      {"rayleigh", share(time.rayleigh_fraction, "Rayleigh"), limits.rayleigh_limit},
+      {"hooke", share(time.hooke_fraction, "Hooke"), limits.hooke_limit},
+      {"damping", "half of the time in which hooke_damping_rate takes a velocity away", limits.damping_limit}};
   return *std::min_element(std::begin(all), std::end(all),
                            [](const Criterion& a, const Criterion& b) { return a.limit < b.limit; });
 }
@@ -117,6 +129,15 @@ double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff,
 
 double hooke_time(double mass_eff, double stiffness, double tangential_ratio) {
   return pi * std::sqrt(mass_eff / (stiffness * std::max(1.0, 3.5 * tangential_ratio)));
+}
+
+double damping_limit(double normal_rate, double tangential_rate) {
+  return 0.5 / std::max(normal_rate, 3.5 * tangential_rate);
+}
+
+std::int64_t steps_for(double time, double timestep) {
+  constexpr double most = 2e18;
+  return static_cast<std::int64_t>(std::clamp(std::rint(time / timestep), 0.0, most));
 }
 
 double expected_speed(const Deck& deck, const NewParticles& particles, const std::vector<Pour>& pours) {
@@ -158,16 +179,16 @@ TimeStep choose_time_step(const Deck& deck, const MaterialTable& materials, cons
   result.step = deck.time.step;
   result.criterion = "given";
   if (result.step > tight.limit) {
-    throw DeckError(fmt::format(
-        "time.step = {:.4g} s is too long: {:.0f} % of the {} time is {:.4g} s{}; shorten it, or leave time.step out",
-        result.step, 100.0 * tight.share, tight.title, tight.limit,
-        tight.name == "hertz" ? fmt::format(" at the expected speed of {:.3g} m/s", speed) : ""));
+    throw DeckError(
+        fmt::format("time.step = {:.4g} s is too long: {} is {:.4g} s{}; shorten it, or leave time.step out",
+                    result.step, tight.text, tight.limit,
+                    tight.name == "hertz" ? fmt::format(" at the expected speed of {:.3g} m/s", speed) : ""));
   }
   return result;
 }
 
 double time_step_excess(const TimeStep& step, double speed) {
-  if (step.hooke_limit < infinite) return step.step / step.hooke_limit;
+  if (step.hooke_limit < infinite) return step.step / std::min(step.hooke_limit, step.damping_limit);
   // t_hertz ~ speed^-1/5, so (dt / limit)^5 = (dt / limit at 1 m/s)^5 speed
   const double hertz = fifth_root(power_fifth(step.step / step.hertz_limit_at_1) * std::max(speed, 1e-12));
   return std::max(hertz, step.step / step.rayleigh_limit);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
@@ -21,14 +22,22 @@ double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff,
 /// doi:10.1103/PhysRevE.64.051302).
 double hooke_time(double mass_eff, double stiffness, double tangential_ratio);
 
+/// Longest step in s with dashpots of these rates (1/s, hooke_damping_rate and hooke_tangential_damping_rate): half of
+/// the time in which the faster one alone takes a velocity away, 1 / gamma_n or 2/7 / gamma_t. Forces take velocities
+/// of half a step ago, so that a dashpot of more than about two steps' rate drives what it should brake.
+double damping_limit(double normal_rate, double tangential_rate);
+
+/// Number of steps that cover `time` s, rounded to the nearest; 2e18 at the most, of which some can be added up.
+std::int64_t steps_for(double time, double timestep);
+
 /// Speed in m/s that the deck expects at most: given, or the greatest that any particle can reach in free fall along
 /// gravity from where and as fast as it starts, or will be poured, to the far side of the domain, or that a wall or a
 /// particle on a prescribed path has.
 double expected_speed(const Deck& deck, const NewParticles& particles, const std::vector<Pour>& pours);
 
 /// The time step and what limits it, all in s: by the shares of the Rayleigh time of the worst particle and of the
-/// Hertz time of the worst pair at the expected speed, or, with Hooke's law, of the Hooke time of the worst pair alone.
-/// What does not limit it is infinite.
+/// Hertz time of the worst pair at the expected speed, or, with Hooke's law, of the Hooke time of the worst pair and by
+/// the fastest damping rate. What does not limit it is infinite.
 struct TimeStep {
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   double step = 0.0;
@@ -36,8 +45,9 @@ struct TimeStep {
   double hertz_limit = infinite;
   double hertz_limit_at_1 = infinite;  ///< at 1 m/s (it scales as speed^-1/5)
   double hooke_limit = infinite;
+  double damping_limit = infinite;
   double speed = 0.0;     ///< m/s, expected
-  std::string criterion;  ///< "rayleigh", "hertz", "hooke" or "given"
+  std::string criterion;  ///< "rayleigh", "hertz", "hooke", "damping" or "given"
 };
 
 /// Smallest radius of the particles of each material; infinity where there are none. Materials behind the last entry

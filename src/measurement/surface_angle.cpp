@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "base/math.h"
 #include "measurement/bed.h"
 #include "scene/walls/unit_vector.h"
 
@@ -32,7 +33,7 @@ std::optional<double> slope_of(const SurfaceAngleDeck& deck, const Vec3& gravity
   if (highest.size() < least_columns) return {};
   StraightLine line;
   for (const auto& [column, p] : highest) line.add(p.x, p.y);
-  return std::atan(line.slope());
+  return atan_reproducible(line.slope());  // phases end by it
 }
 
 }  // namespace

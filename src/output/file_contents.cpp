@@ -18,9 +18,8 @@ namespace {
 
 using Kind = FileContents::Kind;
 
-Hdf5Reader open(const std::string& bytes, const std::string& file) {
-  if (!is_snapshot(bytes))
-    throw FileError(file + ": is no HDF5 file; a snapshot, a checkpoint or a grid.h5 was expected");
+Hdf5Reader open(const std::string& bytes, const std::string& file, const char* expected) {
+  if (!is_snapshot(bytes)) throw FileError(fmt::format("{}: is no HDF5 file; {} was expected", file, expected));
   check_seal_if_any(bytes, file);
   return Hdf5Reader::of_bytes(bytes, file, "file of repose");
 }
@@ -96,7 +95,7 @@ void read_grid(const Hdf5Reader& file, FileContents& contents) {
 }  // namespace
 
 FileContents file_contents(const std::string& bytes, const std::string& file) {
-  const Hdf5Reader reader = open(bytes, file);
+  const Hdf5Reader reader = open(bytes, file, "a snapshot, a checkpoint or a grid.h5");
   FileContents contents;
   contents.kind = kind_of(reader);
   contents.deck = reader.read_text("deck");
@@ -112,7 +111,7 @@ FileContents file_contents(const std::string& bytes, const std::string& file) {
 }
 
 SnapshotParticles snapshot_particles(const std::string& bytes, const std::string& file) {
-  const Hdf5Reader reader = open(bytes, file);
+  const Hdf5Reader reader = open(bytes, file, "a snapshot");
   if (kind_of(reader) != Kind::snapshot) {
     throw FileError(file + ": is no snapshot; the snapshots of a run are called run_<step>.hdf");
   }

@@ -44,6 +44,13 @@ std::vector<Vec3> vectors(std::span<const double> values) {
   return result;
 }
 
+Hdf5Reader open(const std::string& bytes, const std::string& file) {
+  check_seal_if_any(bytes, file);
+  Hdf5Reader snapshot = Hdf5Reader::of_bytes(bytes, file, "snapshot");
+  if (!snapshot.has_attribute("repose_checkpoint")) return snapshot;
+  throw FileError(file + ": is a checkpoint, no snapshot; the snapshots of a run are called run_<step>.hdf");
+}
+
 }  // namespace
 
 bool is_snapshot(const std::string& bytes) {
@@ -52,14 +59,12 @@ bool is_snapshot(const std::string& bytes) {
 }
 
 std::int64_t left_before_snapshot(const std::string& bytes, const std::string& file) {
-  check_seal_if_any(bytes, file);
-  return Hdf5Reader::of_bytes(bytes, file, "snapshot").read_integer("left");
+  return open(bytes, file).read_integer("left");
 }
 
 NewParticles parse_snapshot(const std::string& bytes, const std::string& file,
                             const std::vector<MaterialDeck>& materials) {
-  check_seal_if_any(bytes, file);
-  const Hdf5Reader snapshot = Hdf5Reader::of_bytes(bytes, file, "snapshot");
+  const Hdf5Reader snapshot = open(bytes, file);
   NewParticles particles;
   particles.position = vectors(snapshot.read_rows<double>("/particles/position", 3));
   particles.velocity = vectors(snapshot.read_rows<double>("/particles/velocity", 3));

@@ -160,11 +160,11 @@ void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, con
   if (simulation.comm().is_root()) {
     options_.log.say(fmt::format("phase {} ended by {} at {:.6g} s after {} steps", phase.deck().name, ended_by,
                                  simulation.time(), phase.steps_done(simulation)));
-    if (simulation.steps() == 0) {
-      options_.log.warn(
-          fmt::format("phase {} ended before its first step: grains that have not begun to move are at "
-                      "rest as well; give it a min_time",
-                      phase.deck().name));
+    if (phase.steps_done(simulation) == 0) {
+      options_.log.warn(fmt::format("phase {} ended before its first step: {}", phase.deck().name,
+                                    ended_by == "time" || ended_by == "max_time"
+                                        ? "its time is less than half a time step"
+                                        : "what has not begun to move is at rest as well; give it a min_time"));
     }
   }
 }
@@ -245,7 +245,9 @@ Figures Recorder::measured(const Simulation& simulation, const ReadFile& read_fi
   for (const Watched& w : watches_) {
     try {
       w.watch->finish(simulation, read_file, figures);
-    } catch (const PhysicsError& error) {  // of a further run, on all ranks alike
+    } catch (const Stopped&) {
+      throw;
+    } catch (const Error& error) {  // of a further run, on all ranks alike
       if (simulation.comm().is_root()) options_.log.warn(fmt::format("no {}: {}", name_of(*w.kind), error.what()));
     }
   }
@@ -271,6 +273,22 @@ Figures Recorder::measured(const Simulation& simulation, const ReadFile& read_fi
     }
   });
   return figures;
+}
+
+/// Particles that the deck plans and that are not there at the end.
+void Recorder::report_absent(const Summary& s) const {
+  if (s.inserted < s.planned) {
+    options_.log.warn(
+        fmt::format("{} of the {} planned particles were not poured before the run ended; let its phases "
+                    "last longer, or pour faster (particle_rate, interval, start_time)",
+                    s.planned - s.inserted, s.planned));
+  }
+  if (s.left == 0) return;
+  std::string by_exit;
+  for (const ExitSummary& exit : s.exits) {
+    if (exit.particles > 0) by_exit += fmt::format("{}{} {}", by_exit.empty() ? "" : ", ", exit.name, exit.particles);
+  }
+  options_.log.say(fmt::format("{} of {} particles have left the domain: {}", s.left, s.inserted, by_exit));
 }
 
 Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file, const CheckpointCost& checkpoints) {
@@ -300,6 +318,7 @@ Summary Recorder::finish(const Simulation& simulation, const ReadFile& read_file
     s.exits.push_back({exit.name, exit.particles, simulation.mass_unit().kilograms(exit.mass)});
     s.left += exit.particles;
   }
+  if (comm.is_root()) report_absent(s);
   s.state_hash = state_hash(comm, simulation.particles(), simulation.pairs(), simulation.wall_contacts());
   s.phases = phases_;
   s.figures = measured(simulation, read_file, s.left);

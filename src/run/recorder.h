@@ -97,6 +97,7 @@ class Recorder {
   void write_snapshot_now(const Simulation& simulation);
   void write_contacts(const Simulation& simulation);
   void write_walls(const Simulation& simulation);
+  void report_absent(const Summary& s) const;
   void report_progress(const Simulation& simulation, const Phase& phase);
   std::int64_t inside(const Simulation& simulation) const;
   std::string path(const std::string& file) const { return options_.directory + "/" + file; }

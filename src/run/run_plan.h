@@ -10,7 +10,8 @@
 
 namespace repose {
 
-/// What a run of a deck would begin with. DeckError as a run would.
+/// What a run of a deck would begin with. DeckError as a run would, also for what would end it later: particles that
+/// are poured too fast for the time step.
 struct RunPlan {
   RunPlan(const Deck& deck, const ReadFile& read_file);
 

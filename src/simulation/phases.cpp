@@ -20,11 +20,6 @@ bool is_load_reached(const PhaseDeck& phase, const Simulation& simulation) {
 
 }  // namespace
 
-std::int64_t steps_for(double time, double timestep) {
-  constexpr double most = 2e18;  // no run comes to its end, and sums of some are still in range
-  return static_cast<std::int64_t>(std::clamp(std::rint(time / timestep), 0.0, most));
-}
-
 std::int64_t longest_steps(const PhaseDeck& phase, double timestep) {
   std::int64_t longest = std::numeric_limits<std::int64_t>::max();
   if (!std::isnan(phase.max_time)) longest = steps_for(phase.max_time, timestep);

@@ -8,9 +8,6 @@
 
 namespace repose {
 
-/// Number of steps that cover `time` s, rounded to the nearest.
-std::int64_t steps_for(double time, double timestep);
-
 /// The longest a phase can take, in steps.
 std::int64_t longest_steps(const PhaseDeck& phase, double timestep);
 
@@ -23,9 +20,9 @@ class Phase {
   Phase(const PhaseDeck& deck, Simulation& simulation, std::int64_t first_step);
 
   /// Collective. Empty while the phase goes on; else the condition that ended it: "kinetic_energy", "time", "steps",
-  /// "tilt_onset", "servo", "wall_force", "wall_torque" or "max_time". Energies and forces are looked at every
-  /// `check_every` steps, but not while particles are poured; the caller knows whether a measurement has `seen` what
-  /// the phase waits for.
+  /// "tilt_onset", "servo", "wall_force", "wall_torque" or "max_time". The energy, servos and forces are looked at
+  /// every `check_every` steps, the energy not while particles are poured; the caller knows whether a measurement has
+  /// `seen` what the phase waits for.
   std::optional<std::string> ended_by(const Simulation& simulation, std::int64_t check_every, bool seen = false) const;
 
   std::int64_t first_step() const { return first_step_; }

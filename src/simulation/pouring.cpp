@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/philox.h"
+#include "integration/time_step.h"
 #include "scene/insertion/region.h"
 
 namespace repose {
@@ -102,8 +103,9 @@ struct Pouring::Batch {
 
 Pouring::Pouring(std::vector<Pour> pours, double timestep) : timestep_(timestep) {
   for (Pour& pour : pours) {
-    const auto start = static_cast<std::int64_t>(std::ceil(pour.deck.start_time / timestep));
-    const auto every = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::rint(pour.interval / timestep)));
+    const double first = pour.deck.start_time / timestep;
+    const std::int64_t start = steps_for(std::ceil(first), 1.0);
+    const std::int64_t every = std::max<std::int64_t>(1, steps_for(pour.interval, timestep));
     const double largest = *std::max_element(pour.radius.begin(), pour.radius.end());
     flows_.push_back({std::move(pour), largest, start, every, start + every});
     next_step_ = std::min(next_step_, flows_.back().next);

@@ -20,14 +20,6 @@ std::vector<Wall> make_walls(const Deck& deck, const MaterialTable& materials, c
 /// measurement asks for a particle that there is not.
 Insertion insert_particles_of(const Deck& deck, const std::vector<Wall>& walls, const ReadFile& read_file);
 
-/// Of all particles, present and planned.
-SmallestRadii smallest_radii(const Insertion& insertion, std::size_t materials);
-
-/// DeckError when a wall's motions can take it further in a time step of `dt` s than the smallest particle may move
-/// (longest_way): it could pass particles unseen.
-void check_wall_speeds(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials,
-                       const SmallestRadii& radii, double dt);
-
 /// Mass in kg of all particles, present and planned.
 double planned_mass(const Insertion& insertion, const MaterialTable& materials);
 
@@ -41,9 +33,19 @@ struct Reach {
   double longest_skin = 0.0;    ///< m, that the domain leaves to the lists
 };
 
-/// DeckError when the domain is too small for particles that reach so far, or when grown ones would meet two walls with
-/// one another. Radii in m of the smallest and the largest particle at the start, and what greatest_growth says.
-Reach reach_of(const Deck& deck, const std::vector<Wall>& walls, const MaterialTable& materials, double smallest,
-               double largest, double growth, const std::optional<HeatTransfer>& heat);
+/// What a run of a deck begins with, besides its materials and walls.
+struct SetUp {
+  Insertion insertion;
+  TimeStep time_step;
+  double smallest = 0.0;             ///< m, radius of the smallest particle
+  double growth = 1.0;               ///< greatest_growth
+  std::optional<HeatTransfer> heat;  ///< none without [heat]; holds on to the materials
+  Reach reach;
+};
+
+/// DeckError when particles do not fit, the time step is too long, a wall can move so far in one that it could pass the
+/// smallest particle unseen (longest_way), or the domain is too small for how far particles reach.
+SetUp set_up(const Deck& deck, const MaterialTable& materials, const std::vector<Wall>& walls,
+             const ReadFile& read_file);
 
 }  // namespace repose

@@ -38,18 +38,12 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
   particles_.has_heat = deck_.heat.enabled;
   open_domain_ = particles_.periodic.open_bounds(deck_.domain);
   left_ = ExitCount::none(deck_.exits.size());
-  Insertion insertion = insert_particles_of(deck_, walls(), read_file);
+  auto [insertion, time_step, smallest, growth, heat, reach] = set_up(deck_, materials_, walls(), read_file);
   scene_.hold(deck_, insertion);
-  const SmallestRadii radii = smallest_radii(insertion, materials_.size());
-  time_step_ = choose_time_step(deck_, materials_, radii, expected_speed(deck_, insertion.now, insertion.pours));
-  check_wall_speeds(deck_, walls(), materials_, radii, time_step_.step);
-  const double growth = greatest_growth(deck_, time_step_.step);
-  const double mass_growth = growth * growth * growth;
+  time_step_ = time_step;
   slow_step_ = greatest_speed(time_step_, greatest_excess) * time_step_.step / std::sqrt(3.0);
-  if (deck_.heat.enabled) heat_.emplace(deck_, materials_, insertion, mass_growth);
-  const double smallest = *std::min_element(radii.of_material.begin(), radii.of_material.end());
-  const Reach reach = reach_of(deck_, walls(), materials_, smallest, insertion.largest_radius(), growth, heat_);
   safe_step_ = longest_way / std::sqrt(3.0) * smallest;
+  if (heat) heat_.emplace(std::move(*heat));
   const auto horizon = [&](std::int64_t steps) { return static_cast<double>(steps) * time_step_.step; };
   watch_ = SkinWatch(
       {deck_.neighbours.inner_skin, horizon(ListHorizon::inner), 0.5 * reach.longest_skin, reach.adhesion_range},
@@ -57,7 +51,7 @@ Simulation::Simulation(const Communicator& comm, const Deck& deck, const ReadFil
        reach.heat_share});
   scene_.set_wall_skins(deck_, watch_.inner().horizon, watch_.outer().horizon);
   planned_ = insertion.planned;
-  mass_unit_ = MassUnit(planned_mass(insertion, materials_) * mass_growth);
+  mass_unit_ = MassUnit(planned_mass(insertion, materials_) * growth * growth * growth);
   sizes_ = std::move(insertion.sizes);
   pouring_ = Pouring(std::move(insertion.pours), time_step_.step);
   insert(insertion.now);

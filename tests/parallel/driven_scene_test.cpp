@@ -185,6 +185,26 @@ TEST(DrivenScene, HeldParticlesFeelNoWallOfAnyKind) {
   }
 }
 
+// A list may give them velocities, which must neither be felt by what lies on them nor shorten the time step.
+TEST(DrivenScene, HeldParticlesForgetTheVelocityOfTheirFile) {
+  const Communicator world(MPI_COMM_WORLD);
+  const std::string text = glass + "[domain]\nmin = [-0.01, -0.01, -0.01]\nmax = [0.01, 0.01, 0.01]\n" +
+                           "[[particles]]\ntype = \"csv\"\nfile = \"plate.csv\"\nfixed = true\n" +
+                           "[[particles]]\ntype = \"csv\"\nfile = \"grain.csv\"\n" +
+                           "[[phase]]\nname = \"rest\"\nuntil = \"steps\"\nsteps = 10\n";
+  const auto grain_on_plate_at = [&](const std::string& velocity) {
+    const auto files = [&](const std::string& file) {
+      return "x,y,z,vx,vy,vz,wx,wy,wz,radius,material\n" +
+             (file == "plate.csv" ? "0,0,0," + velocity : "0,0,0.000999,0,0,0,0,0,0") + ",0.0005,glass\n";
+    };
+    Simulation s(world, read_deck(text, "plate.toml", {}), files, best_vector_level());
+    s.advance(10);
+    s.check_guards();
+    return std::pair(hash_of(s), s.time_step().speed);
+  };
+  EXPECT_EQ(grain_on_plate_at("0,0,1,0,300,0"), grain_on_plate_at("0,0,0,0,0,0"));
+}
+
 TEST(DrivenScene, HeldParticlesFollowTheirPath) {
   const Communicator world(MPI_COMM_WORLD);
   const Deck deck = read_deck(driven_scene, "driven.toml", {});

@@ -78,12 +78,30 @@ TEST_F(PourTest, FallsFreelyFromTheDisc) {
   constexpr std::int64_t steps = 400;
   s.advance(1200 + steps);
   const double t = steps * timestep;
+  std::int64_t of_first_batch = 0;
   for (std::size_t i = 0; i < s.particles().owned; ++i) {
     if (s.particles().id[i] >= 2) continue;  // later batches
+    ++of_first_batch;
     const ParticleRecord& p = s.particles().record[i];
     EXPECT_NEAR(p.velocity.z, -1.0 - 9.81 * t, 1e-12);
     EXPECT_NEAR(p.position.z, -t - 0.5 * 9.81 * t * t, 1e-15);
     EXPECT_LE(std::hypot(p.position.x - 0.2 * t, p.position.y), 9e-3);
+  }
+  EXPECT_EQ(comm_.sum(of_first_batch), 2);
+}
+
+TEST_F(PourTest, ThatBeginsInAnEternityNeverDoes) {
+  for (const double eternity : {1e10, 1e18, 1e100}) {
+    Deck deck = pouring_deck();
+    deck.particles[0].interval = eternity;
+    Simulation at_long_intervals = make(deck);
+    at_long_intervals.advance(3000);
+    EXPECT_EQ(at_long_intervals.inserted(), 0) << eternity;
+    deck = pouring_deck();
+    deck.particles[0].start_time = eternity;
+    Simulation late = make(deck);
+    late.advance(3000);
+    EXPECT_EQ(late.inserted(), 0) << eternity;
   }
 }
 

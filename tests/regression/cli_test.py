@@ -137,6 +137,48 @@ class CommandLine(FolderTest):
         self.assertIn("phase settle ended before its first step", done.stdout + done.stderr)
         self.assertIn("no pile, so no angle of repose", done.stdout)
 
+    def test_a_later_phase_that_does_not_begin_is_said(self):
+        done = self.program.call("run", self.quick, "--output", self.path("out"), *self.settings(
+            "phase.settle.max_time=1 ms", "phase.settle.min_time=0", "phase.discharge.min_time=0", "phase.discharge.kinetic_energy=1",
+            "run.check_every=1"))
+        self.assertIn("phase discharge ended before its first step", done.stdout + done.stderr)
+        done = self.program.call("run", self.quick, "--output", self.path("out"), *self.settings(
+            "phase.settle.max_time=1 ms", "phase.settle.min_time=0", "phase.discharge.max_time=1e-12", "phase.discharge.min_time=0"))
+        self.assertIn("its time is less than half a time step", done.stdout + done.stderr)
+
+    def test_grains_that_are_not_there_are_said(self):
+        grains = "0,0,0.01,0,0,0,0,0,0,2e-4,carbohsp\n0.0145,0,0.03,0.9,0,0.5,0,0,0,2e-4,carbohsp\n"
+        deck = self.scene(grains, [])
+        done = self.program.call("run", deck, "--output", self.path("out"), *self.settings(
+            "phase.settle.max_time=10 ms", "phase.settle.min_time=0", "phase.settle.kinetic_energy=1e-30",
+            "phase.discharge.max_time=1 ms", "phase.discharge.min_time=0"))
+        self.assertIn("1 of 2 particles have left the domain: x_max 1", done.stdout)
+        pour = '[[particles]]\ntype = "pour"\nmaterial = "carbohsp"\ndiameter = "0.4 mm"\ncount = 9\nregion = "disc"\n' \
+               'centre = [0.0, 0.0, "30 mm"]\nradius = "3 mm"\nvelocity = [0.0, 0.0, -0.5]\nparticle_rate = 300.0\n' \
+               'interval = "10 ms"\n\n[[phase]]'
+        path = pathlib.Path(deck)
+        path.write_text(path.read_text().replace("[[phase]]", pour, 1))
+        done = self.program.call("run", deck, "--output", self.path("out"), *self.settings(
+            "phase.settle.max_time=15 ms", "phase.settle.min_time=0", "phase.discharge.max_time=1 ms", "phase.discharge.min_time=0"))
+        self.assertIn("6 of the 11 planned particles were not poured before the run ended", done.stdout + done.stderr)
+        done = self.program.call("check", deck, "--set", "particles.1.start_time=99")
+        self.assertRegex(done.stdout, r"pour .* from 99.01 s on; none before the run ends, after \d+")
+
+    def test_a_lid_that_goes_through_the_floor_is_3(self):
+        self.fails(3, r'wall "lid" has gone down by 0\.004\d* m and through the floor', "run",
+                   self.program.deck("uniaxial_compression.toml"), "--output", self.path("out"), "--set", "particles.0.count=20",
+                   "--set", "measurement.compression.height=4 mm")
+
+    def test_check_knows_what_will_end_a_run(self):
+        deck = self.scene("0,0,0.01,0,0,-40,0,0,0,2e-4,carbohsp\n", [])
+        self.fails(2, r"particle 0 at \(0, 0, 0.01\) moves at 40 m/s, .*time.step", "check", deck, "--set", "time.expected_speed=1")
+        deck = self.program.deck("all_keys.toml")
+        self.assertEqual(self.program.call("check", deck).returncode, 0)
+
+    @staticmethod
+    def settings(*overrides):
+        return [word for override in overrides for word in ("--set", override)]
+
     def scene(self, grains, changes):
         """A deck beside a list of grains: the quick deck with its fill replaced."""
         text = pathlib.Path(self.quick).read_text()
@@ -197,6 +239,8 @@ class CommandLine(FolderTest):
         path = self.path("plane.toml")
         pathlib.Path(path).write_text(deck.replace("[[pair]]", glass + "[[pair]]", 1).replace('against = "carbohsp"', 'against = "glass"'))
         self.fails(2, r'tilt_onset\.against = "glass": there is no \[\[pair\]\] of it and "metal"', "check", path)
+        self.fails(2, r'tilt_onset\.particle = 5: it is "fixed" .* will never begin to move', "check",
+                   self.program.deck("inclined_plane.toml"), "--set", "measurement.tilt_onset.particle=5")
 
     def test_listed_material_without_pair_is_2(self):
         deck = self.scene("0,0,0.01,0,0,0,0,0,0,2e-4,steel\n", [])

@@ -1,4 +1,5 @@
-"""The order of the rooms: src/ holds main.cpp, CMakeLists.txt and folders; each folder includes itself and those before it.
+"""The order of the rooms: src/ holds main.cpp, CMakeLists.txt and folders; each folder includes itself and those before it. And
+no two headers define a class of the same name in the same namespace: of what the compiler makes for both the linker keeps one.
 
 The order is that of ROOMS in src/CMakeLists.txt; a room with floors lists them in its own CMakeLists.txt, with "." for what
 lies in the room itself if that is not first.
@@ -54,4 +55,22 @@ def check(src):
     print(f"{len(order)} rooms, {seen} includes")
 
 
+def check_names(src):
+    headers = {}
+    for path in sorted(src.rglob("*.h")):
+        namespace = None
+        for line in path.read_text().splitlines():
+            opened = re.match(r"namespace ([\w:]+) {", line)
+            defined = re.match(r"(?:class|struct) (\w+)(?: final)?(?: :[^;]*)? {", line)
+            if opened:
+                namespace = opened.group(1)
+            elif defined:
+                name = f"{namespace}::{defined.group(1)}"
+                assert name not in headers, f"{path.relative_to(src)}: {name} is defined in {headers[name]}, too"
+                headers[name] = path.relative_to(src)
+    assert len(headers) > 300, f"only {len(headers)} classes were found"
+    print(f"{len(headers)} classes in headers")
+
+
 check(pathlib.Path(sys.argv[1]) / "src")
+check_names(pathlib.Path(sys.argv[1]) / "src")

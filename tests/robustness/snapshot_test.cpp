@@ -53,6 +53,10 @@ TEST(PoorSnapshot, LacksAPart) {
   expect_refusal(all, "/x f64 1 = 1\n", "cannot read /particles/position");
 }
 
+TEST(PoorSnapshot, IsACheckpoint) {
+  expect_refusal(names, "@repose_checkpoint i64 1 = 1\n", "is a checkpoint, no snapshot");
+}
+
 TEST(PoorSnapshot, HasArraysOfAnotherKind) {
   expect_refusal(radius, "/particles/radius i32 2 = 1 1\n", "is not of real numbers");
   expect_refusal(radius, "/particles/radius text 2 = 1 1\n", "is not of real numbers");

@@ -70,6 +70,28 @@ TEST(FifthRoot, IsExactForFifthPowers) {
   EXPECT_EQ(fifth_root(0x1p-50), 0x1p-10);
 }
 
+TEST(AtanReproducible, AgreesWithTheLibrary) {
+  double worst = 0.0;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const double x = std::ldexp(2.0 * draw(i, 0) - 1.0, static_cast<int>(200.0 * draw(i, 1)) - 100);
+    const double near_one = 4.0 * (draw(i, 2) - 0.5);
+    for (const double y : {x, near_one}) {
+      worst = std::fmax(worst, ulps(atan_reproducible(y), std::atan(static_cast<long double>(y))));
+    }
+  }
+  EXPECT_LE(worst, 2.0);
+  EXPECT_EQ(atan_reproducible(0.0), 0.0);
+  EXPECT_EQ(atan_reproducible(-1.0), -atan_reproducible(1.0));
+}
+
+TEST(WholePower, MultipliesSoOften) {
+  EXPECT_EQ(whole_power(3.0, 0.0), 1.0);
+  EXPECT_EQ(whole_power(3.0, 5.0), 243.0);
+  EXPECT_EQ(whole_power(2.0, 100.0), 0x1p100);
+  EXPECT_NEAR(whole_power(1.0 + 1e-9, 1e9), 2.718281827, 1e-6);
+  EXPECT_EQ(whole_power(2.0, 2e18), std::numeric_limits<double>::infinity());
+}
+
 TEST(SinCosReproducible, AgreesWithTheLibrary) {
   double worst = 0.0;     // ulps, where neither is near a zero beyond the first
   double greatest = 0.0;  // absolute error, anywhere

@@ -212,6 +212,29 @@ TEST(ChooseTimeStep, HookeHasItsOwnCriterion) {
   }
 }
 
+// A dashpot faster than the step would drive what it should brake.
+TEST(ChooseTimeStep, AFastDashpotShortensIt) {
+  Deck deck = two_materials();
+  deck.contact.normal_law = NormalLaw::hooke;
+  for (PairDeck& pair : deck.pairs) pair.hooke_stiffness = 1e3;
+  deck.pairs[0].hooke_damping_rate = 1e6;
+  deck.pairs[0].hooke_tangential_damping_rate = 5e5;  // times 7/2 for a sphere that turns
+  const MaterialTable materials(deck);
+  const SmallestRadii radii{{1e-3, none}};
+  TimeStep step = choose_time_step(deck, materials, radii, 2.0);
+  EXPECT_EQ(step.criterion, "damping");
+  EXPECT_NEAR(step.step, 0.5 / 1.75e6, 1e-18);
+  EXPECT_NEAR(time_step_excess(step, 100.0), 1.0, 1e-12);
+  deck.time.step = 1.01 * step.step;
+  try {
+    choose_time_step(deck, materials, radii, 2.0);
+    FAIL() << "no error";
+  } catch (const DeckError& error) {
+    EXPECT_NE(std::string(error.what()).find("hooke_damping_rate takes a velocity away"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(ChooseTimeStep, WhereNothingMovesOneMustBeGiven) {
   Deck deck = two_materials();
   const MaterialTable materials(deck);

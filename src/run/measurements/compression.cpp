@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "base/error.h"
 #include "base/math.h"
 #include "comm/agreement.h"
 #include "comm/order_independent_sum.h"
@@ -43,6 +44,12 @@ class CompressionWatch : public Watch {
     const double force = -dot(lid->servo->axis().direction, load_on(simulation, {deck_.lid}).force);
     const double stress = force / deck_.area;
     const double height = deck_.height - lid->servo->way();
+    if (!(height > 0.0)) {
+      throw PhysicsError(
+          fmt::format("step {}: wall \"{}\" has gone down by {:.4g} m and through the floor, which "
+                      "[measurement.compression] has {:.4g} m below it (height); no grains held it",
+                      simulation.steps(), deck_.lid, lid->servo->way(), deck_.height));
+    }
     const double porosity = 1.0 - solid_volume(simulation) / (deck_.area * height);
     agree_after_root(simulation.comm(), [&] {
       if (loading_.is_due(simulation.steps())) {

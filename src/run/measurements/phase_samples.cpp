@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "simulation/phases.h"
+#include "integration/time_step.h"
 
 namespace repose {
 

@@ -5,8 +5,8 @@
 
 #include "base/math.h"
 #include "comm/agreement.h"
+#include "integration/time_step.h"
 #include "run/measurements/measurement.h"
-#include "simulation/phases.h"
 
 namespace repose {
 namespace {

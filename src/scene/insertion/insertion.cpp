@@ -202,7 +202,8 @@ void check_overlaps(const NewParticles& particles, const Origin& origin) {
     if (!blocks_intersect && overlap <= origin.deck.guards.max_overlap * smaller) return;
     throw DeckError(fmt::format("{} and {} overlap by {:.3g} m, {:.3g} of the smaller radius; {}", origin.describe(j),
                                 origin.describe(i), overlap, overlap / smaller,
-                                blocks_intersect ? "a filled block must not overlap with another"
+                                blocks_intersect ? "a filled block must not overlap with another: take separate "
+                                                   "regions, or pour them"
                                                  : fmt::format("the bound is {}", origin.deck.guards.max_overlap)));
   });
 }
@@ -230,7 +231,9 @@ Insertion insert_particles(const Deck& deck, const std::vector<Wall>& walls, con
   check_overlaps(now, origin);
   check_periodic(blocks.result, deck.domain, walls);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (origin.is_held(i)) now.material[i] = MaterialTable::held_twin(now.material[i], deck.materials.size());
+    if (!origin.is_held(i)) continue;
+    now.material[i] = MaterialTable::held_twin(now.material[i], deck.materials.size());
+    now.velocity[i] = now.spin[i] = {};  // what a file says: they move by their motion alone, from the first phase on
   }
   return std::move(blocks.result);
 }

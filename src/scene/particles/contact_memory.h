@@ -8,7 +8,8 @@
 
 namespace repose {
 
-/// What a contact remembers between steps. It is forgotten as soon as the surfaces part.
+/// What a contact remembers between steps. It is forgotten as soon as the surfaces part or, with JKR or a liquid
+/// bridge, as soon as what holds them together breaks.
 template <class Real>
 struct BasicContactHistory {
   Vector3<Real> spring;   ///< m, tangential displacement xi

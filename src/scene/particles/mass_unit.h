@@ -6,7 +6,7 @@
 namespace repose {
 
 /// Masses are summed as integers of a unit so that no sum depends on its order. The unit is a power of two, such that
-/// the mass of all particles of the run takes 62 bits.
+/// the mass of all particles of the run is below 2^61 of it.
 class MassUnit {
  public:
   explicit MassUnit(double total_mass) { std::frexp(total_mass, &exponent_); }

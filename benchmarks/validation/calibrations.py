@@ -1,5 +1,7 @@
 """The thesis's calibrations at full size, by levels: the decks of input/, beside what the thesis found."""
 
+import json
+
 import contours
 import numpy as np
 from bench import ROOT, input_deck, print_table, save
@@ -69,25 +71,84 @@ def scatter_of_seeds(calibration):
     return rows
 
 
-def slopes_of_counts(calibration, centre):
-    """A row for each count and parameter: how the logarithm of the count grows with the parameter at a point, by least squares over
-    the runs of the cheapest level that are done, weighted as counts scatter; its standard error, scaled by what the fit leaves over;
-    both over the whole logarithm as 1, x, y, x^2, x y from that point."""
-    grid, rows = calibration.grid, []
+def terms_at(point, centre):
+    """Of the logarithm of a count at a point, or at many: 1, x, y, x^2, x y from the centre."""
+    x, y = (value - middle for value, middle in zip(point, centre))
+    return np.stack([np.ones_like(x), x, y, x * x, x * y], axis=-1)
+
+
+def fits_of_counts(calibration, centre):
+    """{figure: (coefficients, covariance)} of the logarithm of each count by terms_at: least squares over the runs of the cheapest
+    level that are done, weighted as counts scatter; the covariance is scaled by what the fit leaves over. None for too few runs."""
+    grid, fits = calibration.grid, {}
     own = (grid["state"] == "done") & (grid["level"] == calibration.levels[0])
-    x, y = (grid[name][own] - middle for name, middle in zip(calibration.parameters, centre))
-    terms = np.column_stack([np.ones_like(x), x, y, x * x, x * y])
+    terms = terms_at([grid[name][own] for name in calibration.parameters], centre)
     for figure in calibration.figures:
         counts = grid[figure][own]
         weighted = terms * np.sqrt(counts)[:, None]
         found, _, rank, _ = np.linalg.lstsq(weighted, np.log(counts) * np.sqrt(counts), rcond=None)
         if rank < terms.shape[1] or len(counts) <= rank:
-            continue
+            return None
         over = np.sum((terms @ found - np.log(counts)) ** 2 * counts) / (len(counts) - rank)
-        errors = np.sqrt(np.diag(np.linalg.inv(weighted.T @ weighted)) * max(1.0, over))
-        rows += [{"figure": figure, "parameter": name, "slope of the logarithm": found[k], "standard error": errors[k],
-                  "count at the point": float(np.exp(found[0]))} for k, name in enumerate(calibration.parameters, 1)]
-    return rows
+        fits[figure] = found, np.linalg.inv(weighted.T @ weighted) * max(1.0, over)
+    return fits
+
+
+def slopes_of_counts(calibration, fits):
+    """A row for each count and parameter: how the logarithm of the count grows with the parameter at the centre."""
+    return [{"figure": figure, "parameter": name, "slope of the logarithm": found[k], "standard error": covariance[k, k] ** 0.5,
+             "count at the point": float(np.exp(found[0]))}
+            for figure, (found, covariance) in fits.items() for k, name in enumerate(calibration.parameters, 1)]
+
+
+def runs_of_the_whole(calibration, centre):
+    """Runs with all of the mass, around the circles of the laboratory's counts: the scattering test at full size (studies.py full),
+    with the coefficients of its deck, and the runs that are done of the levels above the cheapest."""
+    test = json.loads((ROOT / "benchmarks" / "results" / "validation" / "carbohsp_mono.json").read_text())
+    counts = {row["figure"]: row["here"] for row in test["comparisons"]}
+    runs = [{"level": "scattering test", "point": tuple(centre), "counts": {figure: counts[figure] for figure in calibration.figures}}]
+    grid = calibration.grid
+    for n in np.flatnonzero((grid["state"] == "done") & (grid["level"] != calibration.levels[0])):
+        runs.append({"level": str(grid["level"][n]), "point": tuple(float(grid[name][n]) for name in calibration.parameters),
+                     "counts": {figure: float(grid[figure][n]) for figure in calibration.figures}})
+    return runs
+
+
+def tied_to_the_whole(calibration, fits, centre):
+    """What the laboratory's counts say of both coefficients when those of all of the mass are those of the cheapest level times a
+    factor for each area: the factors, a row for each run that they are from, and the coefficients with their standard errors, of the
+    laboratory's mean, the factors' counts and the fits."""
+    runs, rows = runs_of_the_whole(calibration, centre), []
+    terms = {run["point"]: terms_at(run["point"], centre) for run in runs}
+    factors, around, variances, wanted = {}, {}, [], []
+    for figure, (found, _) in fits.items():
+        expected = {point: np.exp(at @ found) for point, at in terms.items()}
+        counted = sum(run["counts"][figure] for run in runs)
+        factors[figure] = counted / sum(expected.values())
+        around[figure] = sum(run["counts"][figure] * terms[run["point"]] for run in runs) / counted
+        variances.append(1.0 / counted)
+    for run in runs:
+        rows.append({"level": run["level"], **dict(zip(calibration.parameters, run["point"]))})
+        for figure, (found, _) in fits.items():
+            rows[-1] |= {figure: run["counts"][figure], f"{figure} by the fit": factors[figure] * np.exp(terms[run["point"]] @ found)}
+    for k, observable in enumerate(calibration.estimate["observables"]):
+        wanted.append(np.log(observable["laboratory"] / factors[observable["figure"]]))
+        variances[k] += (observable["standard_error"] / observable["laboratory"]) ** 2
+    point = np.array(centre, dtype=float)
+    for _ in range(50):
+        x, y = point - centre
+        jacobian = np.array([[f[1] + 2.0 * f[3] * x + f[4] * y, f[2] + f[4] * x] for f, _ in fits.values()])
+        rest = np.array(wanted) - [terms_at(point, centre) @ f for f, _ in fits.values()]
+        point = point + np.linalg.solve(jacobian, rest)
+    for k, (figure, (_, covariance)) in enumerate(fits.items()):
+        away = terms_at(point, centre) - around[figure]
+        variances[k] += away @ covariance @ away
+    inverse = np.linalg.inv(jacobian)
+    covariance = inverse @ np.diag(variances) @ inverse.T
+    away = np.array(centre) - point
+    return {"factors": factors, "runs": rows, "misfit of the thesis's": float(away @ np.linalg.solve(covariance, away)),
+            "coefficients": [{"coefficient": name, "value": float(point[k]), "standard error": float(covariance[k, k] ** 0.5)}
+                             for k, name in enumerate(calibration.parameters)]}
 
 
 def study(options):
@@ -98,14 +159,20 @@ def study(options):
             calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
         differences, along = above_the_cheapest(calibration, content["rows"]), along_the_first(calibration)
         scatter = scatter_of_seeds(calibration)
-        slopes = []
+        of_counts = {}
         if case == "carbohsp_restitution":
-            slopes = slopes_of_counts(calibration, [pair["restitution"] for pair in input_deck("scatter_carbohsp.toml")["pair"]])
-        for rows, digits in ((differences, 4), (along, 3), (scatter, 2), (slopes, 3)):
+            centre = [pair["restitution"] for pair in input_deck("scatter_carbohsp.toml")["pair"]]
+            fits = fits_of_counts(calibration, centre)
+            if fits:
+                of_counts = {"slopes_of_counts": slopes_of_counts(calibration, fits),
+                             "tied_to_the_whole": tied_to_the_whole(calibration, fits, centre)}
+        tied = of_counts.get("tied_to_the_whole", {})
+        for rows, digits in ((differences, 4), (along, 3), (scatter, 2), (of_counts.get("slopes_of_counts"), 3), (tied.get("runs"), 3),
+                             (tied.get("coefficients"), 3)):
             if rows:
                 print_table(rows, digits=digits)
         is_complete = calibration.states["waiting"] == 0
         save(options.results / f"{name}.json", case=case, is_complete=is_complete, above_the_cheapest=differences,
-             along_the_first=along, scatter_of_seeds=scatter, **({"slopes_of_counts": slopes} if slopes else {}), **content)
+             along_the_first=along, scatter_of_seeds=scatter, **of_counts, **content)
         if not is_complete:
             raise SystemExit(f"{name} is not complete: the same command goes on")

@@ -4,10 +4,11 @@ counted."""
 import json
 import subprocess
 
-from bench import ROOT, Bench, modulus, names_by_seed, rayleigh_share, save_means, shown, spread_of, with_seeds
+from bench import ROOT, Bench, modulus, names_by_seed, rayleigh_share, save_means, shown, spread_of, values_of, with_seeds
 
 LESS = ["particles.0.mass=7.5 g", "guards.max_overlap=0.5", "output.snapshot_interval=0"]
-# Deck and overrides: the lowest levels of the calibrations of friction, with the restitution of the scattering tests
+# Deck and overrides: grains as soft as in the lowest levels of the calibrations, the restitution of the scattering tests; CarboHSP
+# with the step of the levels above, since with that of the lowest its bed trembles
 CASES = {"CarboHSP": ("scatter_carbohsp.toml", [*LESS, *modulus("1 MPa"), *rayleigh_share(0.3)]),
          "sand": ("scatter_sand.toml", [*LESS, *modulus("2 MPa"), *rayleigh_share(0.4), "particles.0.height=36 mm"])}
 ANGLE = "measurement.angle_of_repose."
@@ -20,16 +21,18 @@ RULERS = {"as in the decks": [],
           "a base of 0.7": ["measurement.scattering.base_share=0.7"]}
 
 
-def measured(options, name, deck, sets, number):
+def measured(options, name, deck, sets):
     """The figures of the end of a run by another ruler."""
     run = options.work / name
-    output = run / "measured" / str(number)
-    if not (output / "measurement.json").exists():
-        last = max(run.glob("run_*.hdf"))
-        words = [word for override in sets for word in ("--set", override)]
-        subprocess.run([options.program, "measure", last, "--deck", ROOT / "input" / deck, "--output", output, *words], check=True,
-                       capture_output=True)
-    return json.loads((output / "measurement.json").read_text())
+    words = [word for override in sets for word in ("--set", override)]
+    subprocess.run([options.program, "measure", max(run.glob("run_*.hdf")), "--deck", ROOT / "input" / deck, "--output",
+                    run / "measured", *words], check=True, capture_output=True)
+    return json.loads((run / "measured" / "measurement.json").read_text())
+
+
+def mean_of(found, key, factor=1.0):
+    """Mean and standard error of a figure of those that have it, as text."""
+    return shown(spread_of(values_of(found, key)), factor)
 
 
 def study(options):
@@ -40,12 +43,9 @@ def study(options):
     summaries = Bench(options).run_all(runs)
     rows = []
     for case, (deck, _) in CASES.items():
-        for number, (ruler, sets) in enumerate(RULERS.items()):
-            found = [measured(options, name, deck, sets, number) for name in names_by_seed(f"ruler_{case}", options.seeds).values()]
-            counts = [figures["scattering"] for figures in found]
-            rows.append({"grains": case, "ruler": ruler,
-                         "angle, degrees": shown(spread_of([figures["angle_of_repose_deg"] for figures in found]), 1.0),
-                         "base, mm": shown(spread_of([c["base_diameter_m"] for c in counts]), 1e3),
-                         "area 1": shown(spread_of([c["area_1"]["count"] for c in counts]), 1.0),
-                         "area 3": shown(spread_of([c["area_3"]["count"] for c in counts]), 1.0)})
+        for ruler, sets in RULERS.items():
+            found = [measured(options, name, deck, sets) for name in names_by_seed(f"ruler_{case}", options.seeds).values()]
+            rows.append({"grains": case, "ruler": ruler, "angle, degrees": mean_of(found, "angle_of_repose_deg"),
+                         "base, mm": mean_of(found, "scattering.base_diameter_m", 1e3),
+                         "area 1": mean_of(found, "scattering.area_1.count"), "area 3": mean_of(found, "scattering.area_3.count")})
     save_means(options, "ruler", summaries, rows)

@@ -65,13 +65,14 @@ double atan_reproducible(double x) {
   const double s2 = s * s;  // |s| < 0.415: the series of s^(2k+1)/(2k+1) ends below half an ulp
   double series = 0.0;
   for (int k = 43; k >= 3; k -= 2) series = s2 * (1.0 / k - series);
-  return std::copysign(known + (s - s * series), x);
+  const double angle = known + (s - s * series);
+  return x < 0.0 ? -angle : angle;
 }
 
 double whole_power(double x, double n) {
   double power = 1.0;
   for (double left = n; left > 0.0; left = std::floor(0.5 * left)) {
-    if (std::fmod(left, 2.0) == 1.0) power *= x;
+    if (left - 2.0 * std::floor(0.5 * left) == 1.0) power *= x;
     x *= x;
   }
   return power;

@@ -92,11 +92,6 @@ void check_pairs(const Deck& deck, DeckErrors& errors) {
   }
 }
 
-void check_output(const Deck& deck, DeckErrors& errors) {
-  if (deck.output.trace || deck.output.trace_every == OutputDeck{}.trace_every) return;
-  errors.add("output.trace_every", "\"trace_every\" has no effect without trace = true; set that, or remove this");
-}
-
 }  // namespace
 
 void check_box(const std::string& section, const Vec3& min, const Vec3& max, DeckErrors& errors) {
@@ -120,14 +115,15 @@ void check_deck(const Deck& deck, DeckErrors& errors) {
   check_time(deck, errors);
   const std::size_t errors_before_phases = errors.count();
   check_phases(deck, errors);
-  if (errors.count() == errors_before_phases) check_moving_walls(deck, errors);  // nor would a misspelled wall be there
+  if (errors.count() == errors_before_phases) {  // a misspelled wall would not be there, either
+    check_moving_walls(deck, errors);
+    check_driven_measurements(deck, errors);
+  }
   check_motions(deck, errors);
   check_servos(deck, errors);
   check_tilt(deck, errors);
   check_heat(deck, errors);
   check_grain_measurements(deck, errors);
-  check_driven_measurements(deck, errors);
-  check_output(deck, errors);
   if (deck.neighbours.inner_skin > deck.neighbours.skin) {
     errors.add("neighbours.inner_skin", fmt::format("\"inner_skin\" = {} must be at most \"skin\" = {}",
                                                     deck.neighbours.inner_skin, deck.neighbours.skin));

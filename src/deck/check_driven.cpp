@@ -16,6 +16,10 @@ std::size_t place_of_phase(const std::string& name, const Deck& deck) {
   return static_cast<std::size_t>(found - deck.phases.begin());
 }
 
+bool are_known(const std::vector<const WallDeck*>& walls) {
+  return std::find(walls.begin(), walls.end(), nullptr) == walls.end();
+}
+
 /// That grains move in a phase in which something is measured on walls, and that one of these is there.
 void check_measured_phase(const std::string& key, const std::string& name, const std::vector<std::string>& walls,
                           const Deck& deck, DeckErrors& errors) {
@@ -35,9 +39,9 @@ void check_measured_phase(const std::string& key, const std::string& name, const
 
 void check_shear(const ShearDeck& s, const Deck& deck, DeckErrors& errors) {
   const std::string section = "measurement.shear";
-  find_walls(section + ".walls", s.walls, "one half of the cell", deck, errors);
+  const auto walls = find_walls(section + ".walls", s.walls, "one half of the cell", deck, errors);
   check_phase_names(section, {s.phase}, deck, errors);
-  check_measured_phase(section + ".phase", s.phase, s.walls, deck, errors);
+  if (are_known(walls)) check_measured_phase(section + ".phase", s.phase, s.walls, deck, errors);
   check_height(section, "plane_height", s.plane_height, deck.domain, errors);
   if (s.type == ShearType::translation) {
     check_direction(section, "direction", s.direction, errors);
@@ -131,7 +135,7 @@ void check_flow_energy(const FlowEnergyDeck& f, const Deck& deck, DeckErrors& er
                            "(\"moves_with\")",
                            walls[k]->name, walls[0]->name));
   }
-  if (!check_phase_names(section, {f.phase}, deck, errors)) return;
+  if (!check_phase_names(section, {f.phase}, deck, errors) || !are_known(walls)) return;
   check_measured_phase(section + ".phase", f.phase, f.walls, deck, errors);
   if (walls.empty() || walls[0] == nullptr || is_moved(*walls[0], f.phase, deck)) return;
   errors.add(section + ".phase", fmt::format("wall \"{}\" does not move in phase \"{}\"; name one in which the blade's "

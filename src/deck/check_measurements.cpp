@@ -83,7 +83,6 @@ void check_scattering(const ScatteringDeck& s, const Deck& deck, DeckErrors& err
 void check_bulk_density(const BulkDensityDeck& b, const Deck& deck, DeckErrors& errors) {
   const std::string section = "measurement.bulk_density";
   const DomainDeck& domain = deck.domain;
-  check_falls(section, deck, errors);
   check_box(section, b.min, b.max, errors);
   for (double Vec3::*along : {&Vec3::x, &Vec3::y, &Vec3::z}) {
     if (b.min.*along >= domain.min.*along && b.max.*along <= domain.max.*along) continue;

@@ -60,6 +60,9 @@ void require_study(const std::string& text, const std::string& path, const std::
   const DeckKind kind = kind_of(root);
   if (kind == DeckKind::run && (root.contains("phase") || root.contains("particles"))) refuse("a deck of a run");
   if (kind == DeckKind::validation && command != "validate") refuse("one for repose validate");
+  if (root.contains("observable") && command != "calibrate") refuse("one for repose calibrate");
+  if (kind == DeckKind::sensitivity && command != "sensitivity" && !root.contains("observable"))
+    refuse("one for repose sensitivity");
 }
 
 }  // namespace repose

@@ -60,4 +60,9 @@ Deck read_deck(const std::string& text, const std::string& path, const std::vect
   });
 }
 
+Deck read_written_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  require_run_deck(text, path);
+  return read_described<Deck>(text, path, overrides, [](Deck& deck, DeckErrors&) { resolve_defaults(deck); });
+}
+
 }  // namespace repose

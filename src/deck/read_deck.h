@@ -13,4 +13,8 @@ namespace repose {
 /// position: "path:line:column: what is wrong, what would be right", or "--set key=value: ...".
 Deck read_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
 
+/// The same of the resolved deck that a result has with it: of an earlier version, perhaps, which did not refuse what
+/// does not go together, so only its keys are checked.
+Deck read_written_deck(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
+
 }  // namespace repose

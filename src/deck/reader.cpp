@@ -149,8 +149,10 @@ const toml::array* Reader::list(const toml::node& node, const std::string& path,
   errors_.locate(path, locate(path, node.source()));
   const toml::array* array = node.as_array();
   if (array == nullptr && node.is_string() && wanted.starts_with("list of ") && !wanted.ends_with(']')) {
-    errors_.add(path, fmt::format("\"{0}\" must be a {1}, not {2}; write [\"{3}\"]", short_name(path), wanted,
-                                  what_it_is(node), node.as_string()->get()));
+    const std::string& text = node.as_string()->get();
+    const bool is_number = text.find_first_not_of("+-.0123456789eE_ ") == std::string::npos;
+    errors_.add(path, fmt::format("\"{}\" must be a {}, not {}; write {}", short_name(path), wanted, what_it_is(node),
+                                  is_number ? fmt::format("[{}]", text) : fmt::format("[\"{}\"]", text)));
     return nullptr;
   }
   if (array == nullptr || (length != any_length && array->size() != length)) {

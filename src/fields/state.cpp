@@ -59,7 +59,7 @@ bool is_settled(const Wall& wall, std::span<const Wall> walls, const Deck& deck)
 
 Deck deck_of(const DeckSource& source, const std::string& own, const std::string& file) {
   if (!source.text.empty()) return read_deck(source.text, source.path, source.overrides);
-  return read_deck(own, file + ": its deck", source.overrides);
+  return read_written_deck(own, file + ": its deck", source.overrides);
 }
 
 /// A checkpoint names materials and walls by their places in the deck alone.
@@ -70,7 +70,7 @@ void refuse_other_names(const Deck& deck, const DeckSource& source, const std::s
     for (const auto& section : sections) list.push_back(section.name);
     return list;
   };
-  const Deck written = read_deck(own, file + ": its deck", {});
+  const Deck written = read_written_deck(own, file + ": its deck", {});
   if (names(deck.materials) != names(written.materials) || names(deck.walls) != names(written.walls)) {
     throw DeckError(fmt::format("{}: has other materials or walls than the deck in {}; give the deck of that run",
                                 source.path, file));

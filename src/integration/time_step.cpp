@@ -96,6 +96,7 @@ struct Criterion {
 };
 
 Criterion tightest(const TimeDeck& time, const TimeStep& limits) {
+  const bool is_given = !std::isnan(time.step);
   const auto share = [](double fraction, const char* title) {
     return fmt::format("{:.0f} % of the {} time", 100.0 * fraction, title);
   };
@@ -103,7 +104,11 @@ Criterion tightest(const TimeDeck& time, const TimeStep& limits) {
       {"hertz", share(time.hertz_fraction, "Hertz"), limits.hertz_limit},
       {"rayleigh", share(time.rayleigh_fraction, "Rayleigh"), limits.rayleigh_limit},
       {"hooke", share(time.hooke_fraction, "Hooke"), limits.hooke_limit},
-      {"damping", "half of the time in which hooke_damping_rate takes a velocity away", limits.damping_limit}};
+      {"damping",
+       fmt::format("{} the time in which the faster damping rate of a [[pair]] (the tangential one times 7/2) takes a "
+                   "velocity away",
+                   is_given ? "twice" : "half of"),
+       is_given ? 4.0 * limits.damping_limit : limits.damping_limit}};
   return *std::min_element(std::begin(all), std::end(all),
                            [](const Criterion& a, const Criterion& b) { return a.limit < b.limit; });
 }
@@ -188,7 +193,7 @@ TimeStep choose_time_step(const Deck& deck, const MaterialTable& materials, cons
 }
 
 double time_step_excess(const TimeStep& step, double speed) {
-  if (step.hooke_limit < infinite) return step.step / std::min(step.hooke_limit, step.damping_limit);
+  if (step.hooke_limit < infinite) return step.step / step.hooke_limit;
   // t_hertz ~ speed^-1/5, so (dt / limit)^5 = (dt / limit at 1 m/s)^5 speed
   const double hertz = fifth_root(power_fifth(step.step / step.hertz_limit_at_1) * std::max(speed, 1e-12));
   return std::max(hertz, step.step / step.rayleigh_limit);

@@ -23,8 +23,8 @@ double hertz_time(double radius_eff, double mass_eff, double youngs_modulus_eff,
 double hooke_time(double mass_eff, double stiffness, double tangential_ratio);
 
 /// Longest step in s with dashpots of these rates (1/s, hooke_damping_rate and hooke_tangential_damping_rate): half of
-/// the time in which the faster one alone takes a velocity away, 1 / gamma_n or 2/7 / gamma_t. Forces take velocities
-/// of half a step ago, so that a dashpot of more than about two steps' rate drives what it should brake.
+/// the time in which the faster one alone takes a velocity away, 1 / gamma_n or 2/7 / gamma_t. A given step may be four
+/// times that: forces take velocities of half a step ago, so that beyond it a dashpot drives what it should brake.
 double damping_limit(double normal_rate, double tangential_rate);
 
 /// Number of steps that cover `time` s, rounded to the nearest; 2e18 at the most, of which some can be added up.

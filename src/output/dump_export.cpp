@@ -24,7 +24,7 @@ bool is_periodic(const DomainDeck& domain, std::size_t axis) {
 /// The domain of the deck in the snapshot.
 DomainDeck domain_of(const SnapshotParticles& snapshot) {
   try {
-    return read_deck(snapshot.deck, "its deck", {}).domain;
+    return read_written_deck(snapshot.deck, "its deck", {}).domain;
   } catch (const DeckError& error) {
     throw FileError(fmt::format("the snapshot does not say its domain: {}", error.what()));
   }

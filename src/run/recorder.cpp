@@ -54,6 +54,13 @@ std::int64_t every(double interval, double timestep) {
   return interval > 0.0 ? std::max<std::int64_t>(1, steps_for(interval, timestep)) : 0;
 }
 
+/// Why a phase that was ended by this had no step.
+const char* reason_of_no_step(const std::string& ended_by) {
+  if (ended_by == "kinetic_energy") return "what has not begun to move is at rest as well; give it a min_time";
+  if (ended_by == "time" || ended_by == "max_time") return "its time is less than half a time step";
+  return "what it waits for was there already";
+}
+
 }  // namespace
 
 Recorder::Recorder(const Simulation& simulation, const OutputOptions& options, Existing existing)
@@ -159,10 +166,8 @@ void Recorder::phase_ended(const Simulation& simulation, const Phase& phase, con
     options_.log.say(fmt::format("phase {} ended by {} at {:.6g} s after {} steps", phase.deck().name, ended_by,
                                  simulation.time(), phase.steps_done(simulation)));
     if (phase.steps_done(simulation) == 0) {
-      options_.log.warn(fmt::format("phase {} ended before its first step: {}", phase.deck().name,
-                                    ended_by == "time" || ended_by == "max_time"
-                                        ? "its time is less than half a time step"
-                                        : "what has not begun to move is at rest as well; give it a min_time"));
+      options_.log.warn(
+          fmt::format("phase {} ended before its first step: {}", phase.deck().name, reason_of_no_step(ended_by)));
     }
   }
 }

@@ -31,7 +31,7 @@ nlohmann::json state_of(const FoundCheckpoint& found) {
 
 /// Whether particles grow in a phase of a resolved deck: how long they may is in the units of mass and heat.
 bool has_growth(const std::string& deck, std::size_t phase) {
-  const std::vector<PhaseDeck> phases = read_deck(deck, "the resolved deck", {}).phases;
+  const std::vector<PhaseDeck> phases = read_written_deck(deck, "the resolved deck", {}).phases;
   return phase < phases.size() && phases[phase].growth.enabled;
 }
 

@@ -81,6 +81,8 @@ TEST(AtanReproducible, AgreesWithTheLibrary) {
   }
   EXPECT_LE(worst, 2.0);
   EXPECT_EQ(atan_reproducible(0.0), 0.0);
+  EXPECT_EQ(atan_reproducible(std::numeric_limits<double>::infinity()), 0.5 * pi);
+  EXPECT_EQ(atan_reproducible(-std::numeric_limits<double>::infinity()), -0.5 * pi);
   EXPECT_EQ(atan_reproducible(-1.0), -atan_reproducible(1.0));
 }
 

@@ -59,9 +59,7 @@ TEST(DeckContradictions, KeysWithoutEffect) {
                     "\"jitter\" has no meaning with [particles.sizes], which fills at random; remove it"}},
                   distributed);
   expect_messages({
-      {{"output.trace_every=1", "output.trace=true"}, fine},
-      {{"output.trace_every=10"}, fine},
-      {{"output.trace_every=1"}, "\"trace_every\" has no effect without trace = true; set that, or remove this"},
+      {{"output.trace_every=5", "output.trace=false"}, fine},  // switched off
       {{"particles.0.fixed=true"}, fine},
       {{"particles.0.fixed=true", "particles.0.rotation_blocked=true"},
        "\"rotation_blocked\" is for particles that move freely, not for \"fixed\" ones or those on a "
@@ -224,6 +222,13 @@ TEST(DeckContradictions, ADeckOfARunIsNoFileOfAStudy) {
          read_validation_deck, example_deck);
   expect("heap.toml: no file for repose calibrate, but one for repose validate; `repose keys calibrate` lists its keys",
          read_calibration_deck, "[[case]]\nname = \"a\"\n");
+  expect(
+      "heap.toml: no file for repose sensitivity, but one for repose calibrate; `repose keys sensitivity` lists its "
+      "keys",
+      read_sensitivity_deck, "[[parameter]]\nname = \"a\"\n[[observable]]\nfigure = \"b\"\n");
+  expect(
+      "heap.toml: no file for repose validate, but one for repose sensitivity; `repose keys validate` lists its keys",
+      read_validation_deck, "figures = [\"b\"]\n[[parameter]]\nname = \"a\"\n");
 }
 
 TEST(DeckContradictions, OverridesKnowEverySectionThatCanBeRepeated) {

@@ -342,6 +342,9 @@ TEST(DeckErrors, PeriodicDirections) {
          "--set domain.periodic=[\"w\"]: \"w\" is no periodic.0; it must be one of x, y, z; the nearest is \"x\"");
   expect({"domain.periodic=\"x\""},
          "--set domain.periodic=\"x\": \"periodic\" must be a list of choices, not the text \"x\"; write [\"x\"]");
+  expect({"output.snapshot_times=\"0.25\""},
+         "--set output.snapshot_times=\"0.25\": \"snapshot_times\" must be a list of numbers, not the text \"0.25\"; "
+         "write [0.25]");
   expect(
       {"gravity=[1, 0, -9]", "domain.periodic=[\"x\"]"},
       "--set domain.periodic=[\"x\"]: gravity along x is not zero, so the fall along the periodic direction x has no "

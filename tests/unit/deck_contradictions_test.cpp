@@ -3,6 +3,7 @@
 
 #include "deck/calibration_deck.h"
 #include "deck/directions.h"
+#include "deck/read_deck.h"
 #include "deck/sensitivity_deck.h"
 #include "deck/validation_deck.h"
 #include "deck_cases.h"
@@ -229,6 +230,13 @@ TEST(DeckContradictions, ADeckOfARunIsNoFileOfAStudy) {
   expect(
       "heap.toml: no file for repose validate, but one for repose sensitivity; `repose keys validate` lists its keys",
       read_validation_deck, "figures = [\"b\"]\n[[parameter]]\nname = \"a\"\n");
+}
+
+// Results of a version that did not refuse what does not go together can still be read.
+TEST(DeckContradictions, AreNoneOfADeckThatWasRun) {
+  const std::vector<std::string> still = {"tilt={angular_velocity=0, axis_direction=[0,0,1]}"};
+  EXPECT_NE(message_of(example_deck, still).find("which the [tilt] would leave as it is"), std::string::npos);
+  EXPECT_EQ(read_written_deck(example_deck, "deck.toml", still).tilt.angular_velocity, 0.0);
 }
 
 TEST(DeckContradictions, OverridesKnowEverySectionThatCanBeRepeated) {

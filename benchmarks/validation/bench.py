@@ -1,7 +1,9 @@
 """What the studies share: runs, figures, tables, results."""
 
+import json
 import pathlib
 import statistics
+import subprocess
 import sys
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
@@ -39,6 +41,18 @@ class Bench:
 def input_deck(name):
     """A deck of input/ as a dict."""
     return tomllib.loads((ROOT / "input" / name).read_text())
+
+
+def level_of(calibration, name):
+    """What a level of a calibration sets, by the names of both."""
+    return next(level["set"] for level in input_deck(calibration)["level"] if level["name"] == name)
+
+
+def measured(options, snapshot, deck, output, sets=()):
+    """The figures that `repose measure` finds in a snapshot."""
+    words = [word for override in sets for word in ("--set", override)]
+    subprocess.run([options.program, "measure", snapshot, "--deck", deck, "--output", output, *words], check=True, capture_output=True)
+    return json.loads((output / "measurement.json").read_text())
 
 
 STOPPED = 75  # exit code of a run that was stopped with a checkpoint

@@ -157,18 +157,16 @@ def study(options):
         name = f"calibration_{case}"
         with kept(options, name):
             calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
-        differences, along = above_the_cheapest(calibration, content["rows"]), along_the_first(calibration)
-        if case == "carbohsp_restitution":  # its levels count around piles of their own
-            differences = along = []
-        scatter = scatter_of_seeds(calibration)
-        of_counts = {}
-        if case == "carbohsp_restitution":
+        differences, along, of_counts = [], [], {}
+        if case != "carbohsp_restitution":
+            differences, along = above_the_cheapest(calibration, content["rows"]), along_the_first(calibration)
+        else:  # its levels count around piles of their own
             centre = [pair["restitution"] for pair in input_deck("scatter_carbohsp.toml")["pair"]]
             fits = fits_of_counts(calibration, centre)
             if fits:
                 of_counts = {"slopes_of_counts": slopes_of_counts(calibration, fits),
                              "tied_to_the_whole": tied_to_the_whole(calibration, fits, centre)}
-        tied = of_counts.get("tied_to_the_whole", {})
+        scatter, tied = scatter_of_seeds(calibration), of_counts.get("tied_to_the_whole", {})
         for rows, digits in ((differences, 4), (along, 3), (scatter, 2), (of_counts.get("slopes_of_counts"), 3), (tied.get("runs"), 3),
                              (tied.get("coefficients"), 3)):
             if rows:

@@ -1,6 +1,6 @@
 """Single runs that ask what calibrations at full size only compute: at a crossing, at the thesis's pair, with another seed."""
 
-from bench import ROOT, identities, input_deck, print_table, repose, save, time_limit
+from bench import ROOT, identities, input_deck, level_of, print_table, repose, save, time_limit
 
 # Calibration, level, values of its parameters, seed
 CASES = {"sand_crossing": ("calibrate_sand_levels.toml", "whole", (0.395, 0.414), 1),
@@ -13,16 +13,16 @@ def study(options):
     for case in options.cases or CASES:
         file, level, values, seed = CASES[case]
         calibration = input_deck(file)
-        point = {parameter["name"]: value for parameter, value in zip(calibration["parameter"], values)}
-        sets = [*calibration["set"], *next(one["set"] for one in calibration["level"] if one["name"] == level),
-                *(f"{parameter['key']}={value}" for parameter, value in zip(calibration["parameter"], values)), f"run.seed={seed}"]
+        parameters = list(zip(calibration["parameter"], values))
+        sets = [*calibration["set"], *level_of(file, level), *(f"{one['key']}={value}" for one, value in parameters), f"run.seed={seed}"]
         try:
             run = repose.run(ROOT / "input" / calibration["base"], options.work / f"check_{case}", set=sets, ranks=options.ranks,
                              program=options.program, restart=True, options=time_limit(options))
         except repose.ReposeError as error:
             raise SystemExit(f"{case}: {error}") from None
         summary = run.summary
-        rows = [{"level": level, **point, "seed": seed, "retained, g": 1e3 * summary["retained_mass_kg"],
+        rows = [{"level": level, **{one["name"]: value for one, value in parameters}, "seed": seed,
+                 "retained, g": 1e3 * summary["retained_mass_kg"],
                  "angle, degrees": summary["angle_of_repose_deg"], "error, degrees": summary["angle_of_repose_stderr_deg"],
                  "bulk density, kg/m3": summary["bulk_density_kg_m3"]}]
         print_table(rows, digits=4)

@@ -1,21 +1,11 @@
 """The corner of the thesis's grid with the least sliding friction and the most rolling friction, at full size: is there a pile?"""
 
-import json
-import subprocess
-
-from bench import ROOT, STOPPED, print_table, rayleigh_share, repose, save, time_limit
+from bench import ROOT, STOPPED, measured, print_table, rayleigh_share, repose, save, time_limit
 
 DECK = ROOT / "input" / "carbohsp_mono.toml"
 CORNER = ["pair.0.sliding_friction=0.1", "pair.0.rolling_friction=0.5"]
 # Name of the results and share of the Rayleigh time; with 0.4 a full bed does not rest (studies.py settling)
 CASES = {"little_friction": 0.4, "little_friction_shorter_step": 0.3}
-
-
-def measured(options, snapshot):
-    """The figures of a snapshot of the pile while it grows."""
-    output = snapshot.parent / "measured" / snapshot.stem
-    subprocess.run([options.program, "measure", snapshot, "--deck", DECK, "--output", output], check=True, capture_output=True)
-    return json.loads((output / "measurement.json").read_text())
 
 
 def study(options):
@@ -35,7 +25,7 @@ def grow(options, name, sets):
     run = repose.Run(options.work / name)
     rows = []
     for snapshot in run.snapshots[1::2]:
-        summary = measured(options, snapshot.path)
+        summary = measured(options, snapshot.path, DECK, snapshot.path.parent / "measured" / snapshot.path.stem)
         rows.append({"time, s": round(snapshot.time_s, 2), "discharged, g": 1e3 * summary["discharged_mass_kg"],
                      "height, mm": 1e3 * summary["pile_height_m"], "angle, degrees": summary["angle_of_repose_deg"],
                      "error, degrees": summary["angle_of_repose_stderr_deg"]})

@@ -1,10 +1,7 @@
 """What the ruler does to the figures: the same piles with other rules for the angle, and for the base around which grains are
 counted."""
 
-import json
-import subprocess
-
-from bench import ROOT, Bench, modulus, names_by_seed, rayleigh_share, save_means, shown, spread_of, values_of, with_seeds
+from bench import ROOT, Bench, measured, modulus, names_by_seed, rayleigh_share, save_means, shown, spread_of, values_of, with_seeds
 
 LESS = ["particles.0.mass=7.5 g", "guards.max_overlap=0.5", "output.snapshot_interval=0"]
 # Deck and overrides: grains as soft as in the lowest levels of the calibrations, the restitution of the scattering tests; CarboHSP
@@ -21,15 +18,6 @@ RULERS = {"as in the decks": [],
           "a base of 0.7": ["measurement.scattering.base_share=0.7"]}
 
 
-def measured(options, name, deck, sets):
-    """The figures of the end of a run by another ruler."""
-    run = options.work / name
-    words = [word for override in sets for word in ("--set", override)]
-    subprocess.run([options.program, "measure", max(run.glob("run_*.hdf")), "--deck", ROOT / "input" / deck, "--output",
-                    run / "measured", *words], check=True, capture_output=True)
-    return json.loads((run / "measured" / "measurement.json").read_text())
-
-
 def mean_of(found, key, factor=1.0):
     """Mean and standard error of a figure of those that have it, as text."""
     return shown(spread_of(values_of(found, key)), factor)
@@ -44,7 +32,8 @@ def study(options):
     rows = []
     for case, (deck, _) in CASES.items():
         for ruler, sets in RULERS.items():
-            found = [measured(options, name, deck, sets) for name in names_by_seed(f"ruler_{case}", options.seeds).values()]
+            folders = [options.work / name for name in names_by_seed(f"ruler_{case}", options.seeds).values()]
+            found = [measured(options, max(run.glob("run_*.hdf")), ROOT / "input" / deck, run / "measured", sets) for run in folders]
             rows.append({"grains": case, "ruler": ruler, "angle, degrees": mean_of(found, "angle_of_repose_deg"),
                          "base, mm": mean_of(found, "scattering.base_diameter_m", 1e3),
                          "area 1": mean_of(found, "scattering.area_1.count"), "area 3": mean_of(found, "scattering.area_3.count")})

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bench import Bench, identities, input_deck, print_table, rayleigh_share, repose, save
+from bench import Bench, identities, level_of, print_table, rayleigh_share, repose, save
 
 SHARES = (0.2, 0.3, 0.4)
 # Restitutions of grains that are damped, and shares about those with which their beds come to rest; the scattering test has 0.71
@@ -19,10 +19,9 @@ CASES = {"carbohsp": ("carbohsp_mono.toml", CARBOHSP, None),  # deck, overrides,
 AFTER = 0.2  # s
 
 
-def level_of(calibration, name):
+def grains_of(calibration, name):
     """What a level of a calibration has otherwise than the test itself, but for its time step and what it measures."""
-    level = next(level for level in input_deck(calibration)["level"] if level["name"] == name)
-    return [key for key in level["set"] if not key.startswith(("time.", "measurement."))]
+    return [key for key in level_of(calibration, name) if not key.startswith(("time.", "measurement."))]
 
 
 def shares_of(case):
@@ -41,7 +40,7 @@ def study(options):
     runs = {}
     for name, (case, share) in zip(names, cases):
         deck, own, calibration = CASES[case]
-        level = level_of(*calibration) if calibration else []
+        level = grains_of(*calibration) if calibration else []
         runs[name] = (deck, [*still, *own, *level, *rayleigh_share(share)])
     summaries = Bench(options).run_all(runs)
     rows = []

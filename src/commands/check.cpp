@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -46,14 +47,14 @@ double costly_steps(const Deck& deck, const TimeStep& dt) {
 
 /// What a pour brings in, in a run that is over after `end` s.
 std::string pour_text(const Pour& pour, double end) {
-  const double first = pour.deck.start_time + pour.interval;
-  const double last = std::ceil((pour.due_time.back() - pour.deck.start_time) / pour.interval) * pour.interval;
-  return fmt::format("pour        {} particles from {:.4g} to {:.4g} s, every {:.3g} s from {:.4g} s on{}\n",
-                     pour.size(), pour.deck.start_time, pour.due_time.back(), pour.interval, first,
-                     first > end ? fmt::format("; none before the run ends, after {:.4g} s", end)
-                     : pour.deck.start_time + last > end
-                         ? fmt::format("; not all before the run ends, after {:.4g} s", end)
-                         : "");
+  const double start = pour.deck.start_time;
+  const double first = start + pour.interval;
+  const double last = start + std::max(1.0, std::ceil((pour.due_time.back() - start) / pour.interval)) * pour.interval;
+  std::string text = fmt::format("pour        {} particles from {:.4g} to {:.4g} s, every {:.3g} s from {:.4g} s on",
+                                 pour.size(), start, pour.due_time.back(), pour.interval, first);
+  if (last > end)
+    text += fmt::format("; {} before the run ends, after {:.4g} s", first > end ? "none" : "not all", end);
+  return text + "\n";
 }
 
 /// What a run of this deck would be: particles, time step and what sets it, steps, expected memory and time on `ranks`
@@ -62,10 +63,11 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   const RunPlan plan(deck, read_file);
   const auto& [materials, walls, insertion, dt] = plan;
   const auto count = static_cast<double>(insertion.planned);
+  const double steps = most_steps(deck, dt);
 
   std::string report =
       fmt::format("particles   {} ({:.6g} kg)\n", insertion.planned, planned_mass(insertion, materials));
-  for (const Pour& pour : insertion.pours) report += pour_text(pour, most_steps(deck, dt) * dt.step);
+  for (const Pour& pour : insertion.pours) report += pour_text(pour, steps * dt.step);
   for (const SizeReport& sizes : insertion.sizes) report += size_report_text(sizes);
   for (const Wall& wall : walls) {
     if (const auto* mesh = std::get_if<Mesh>(&wall.shape)) {
@@ -75,7 +77,6 @@ std::string check_report(const Deck& deck, const ReadFile& read_file, int ranks)
   report += fmt::format("time step   {:.6g} s, {}\n", dt.step,
                         dt.criterion == "given" ? "given in the deck" : "set by the " + dt.criterion + " criterion");
   report += limits_text(deck, dt);
-  const double steps = most_steps(deck, dt);
   for (const PhaseDeck& phase : deck.phases) {
     const auto longest = static_cast<double>(longest_steps(phase, dt.step));
     const bool open_end = may_never_hold(phase.until);

@@ -44,9 +44,6 @@ void check_driven_measurements(const Deck& deck, DeckErrors& errors);
 void check_height(const std::string& section, const char* key, double height, const DomainDeck& domain,
                   DeckErrors& errors);
 
-/// Whether what acts in these phases, in all when none is named, acts in this one.
-bool acts_in(const std::vector<std::string>& phases, const std::string& phase);
-
 /// That phases that are named are there; whether they are (a part of check_deck).
 bool check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
                        DeckErrors& errors);

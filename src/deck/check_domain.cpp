@@ -25,15 +25,13 @@ void check_periodic(const Deck& deck, Axis axis, DeckErrors& errors) {
     errors.add("domain.periodic", fmt::format("\"{}\" is given twice", name));
   }
   if (!std::isnan(deck.time.expected_speed) || deck.contact.normal_law == NormalLaw::hooke) return;
-  Vec3 along;
-  along.*component(axis) = 1.0;
   if (deck.gravity.*component(axis) != 0.0) {
     errors.add(
         "domain.periodic",
         fmt::format("gravity along {0} is not zero, so the fall along the periodic direction {0} has no end; set "
                     "time.expected_speed",
                     name));
-  } else if (deck.tilt.enabled && !are_parallel(deck.tilt.axis_direction, along)) {
+  } else if (deck.tilt.enabled && !are_parallel(deck.tilt.axis_direction, unit_along(axis))) {
     errors.add("domain.periodic",
                fmt::format("the [tilt] turns gravity towards the periodic direction {0}, along which the fall has no "
                            "end; set time.expected_speed, or tilt about {0}",

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "deck/acts_in.h"
 #include "deck/check_deck.h"
 #include "deck/present_walls.h"
 

@@ -23,7 +23,7 @@ void check_falls(const std::string& section, const Deck& deck, DeckErrors& error
 
 /// That gravity draws grains straight down.
 void check_upright(const std::string& section, const Deck& deck, DeckErrors& errors) {
-  if (deck.gravity.z < 0.0 && are_parallel(deck.gravity, {0.0, 0.0, 1.0})) return;
+  if (deck.gravity.z < 0.0 && are_parallel(deck.gravity, unit_along(Axis::z))) return;
   errors.add(section,
              fmt::format("[{}] needs a gravity that points straight down, along -z; set \"gravity\"", section));
 }
@@ -80,9 +80,8 @@ void check_scattering(const ScatteringDeck& s, const Deck& deck, DeckErrors& err
   }
 }
 
-void check_bulk_density(const BulkDensityDeck& b, const Deck& deck, DeckErrors& errors) {
+void check_bulk_density(const BulkDensityDeck& b, const DomainDeck& domain, DeckErrors& errors) {
   const std::string section = "measurement.bulk_density";
-  const DomainDeck& domain = deck.domain;
   check_box(section, b.min, b.max, errors);
   for (double Vec3::*along : {&Vec3::x, &Vec3::y, &Vec3::z}) {
     if (b.min.*along >= domain.min.*along && b.max.*along <= domain.max.*along) continue;
@@ -112,7 +111,7 @@ void check_height(const std::string& section, const char* key, double height, co
 
 void check_grain_measurements(const Deck& deck, DeckErrors& errors) {
   if (deck.discharge.enabled) check_discharge(deck, errors);
-  if (deck.bulk_density.enabled) check_bulk_density(deck.bulk_density, deck, errors);
+  if (deck.bulk_density.enabled) check_bulk_density(deck.bulk_density, deck.domain, errors);
   if (deck.retained_slope.enabled) check_retained_slope(deck.retained_slope, deck, errors);
   if (deck.angle_of_repose.enabled) check_angle_of_repose(deck.angle_of_repose, deck, errors);
   if (deck.scattering.enabled) check_scattering(deck.scattering, deck, errors);

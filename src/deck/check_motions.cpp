@@ -14,15 +14,13 @@ namespace {
 /// Whether a motion takes the images of a body along: it must not move it in a periodic direction, nor turn it out.
 bool suits(const MotionDeck& motion, Axis periodic) {
   const double Vec3::*direction = component(periodic);
-  Vec3 axis;
   switch (motion.type) {
     case MotionType::translation:
       return motion.velocity.*direction == 0.0;
     case MotionType::oscillation:
       return motion.amplitude.*direction == 0.0;
     case MotionType::rotation:
-      axis.*component(periodic) = 1.0;
-      return are_parallel(motion.axis_direction, axis);
+      return are_parallel(motion.axis_direction, unit_along(periodic));
     case MotionType::conveyor:
       return true;
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "deck/acts_in.h"
 #include "deck/check_deck.h"
 #include "deck/nearest.h"
 #include "deck/present_walls.h"
@@ -92,10 +93,6 @@ void check_condition(const std::string& section, const PhaseDeck& phase, const P
 }
 
 }  // namespace
-
-bool acts_in(const std::vector<std::string>& phases, const std::string& phase) {
-  return phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
-}
 
 bool check_phase_names(const std::string& section, const std::vector<std::string>& named, const Deck& deck,
                        DeckErrors& errors) {

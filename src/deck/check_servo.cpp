@@ -64,9 +64,7 @@ void check_follower(const std::string& section, const WallDeck& wall, const Deck
 void check_torque_axis(const std::string& section, const Vec3& direction, const Deck& deck, DeckErrors& errors) {
   check_direction(section, "axis_direction", direction, errors);
   for (const Axis periodic : deck.domain.periodic) {
-    Vec3 along;
-    along.*component(periodic) = 1.0;
-    if (are_parallel(direction, along)) continue;
+    if (are_parallel(direction, unit_along(periodic))) continue;
     errors.add(section + ".axis_direction",
                fmt::format("\"axis_direction\" is not along the periodic direction {} of the [domain]: the images of a "
                            "grain would have other levers",

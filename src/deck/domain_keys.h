@@ -20,6 +20,13 @@ constexpr double Vec3::*component(Axis axis) {
   return axis == Axis::x ? &Vec3::x : axis == Axis::y ? &Vec3::y : &Vec3::z;
 }
 
+/// The unit vector along an axis.
+inline Vec3 unit_along(Axis axis) {
+  Vec3 unit;
+  unit.*component(axis) = 1.0;
+  return unit;
+}
+
 struct DomainDeck {
   Vec3 min;
   Vec3 max;

@@ -12,10 +12,6 @@ namespace {
 
 constexpr double most_cells = 2e7;  // 4 GB of fields
 
-bool is_periodic(const DomainDeck& domain, std::size_t axis) {
-  return std::find(domain.periodic.begin(), domain.periodic.end(), static_cast<Axis>(axis)) != domain.periodic.end();
-}
-
 /// Origin, spacing and number of cells in one direction. A number is a double until it is known to be small.
 struct Row {
   double origin, spacing, cells;
@@ -41,7 +37,7 @@ Grid grid_around(const Vec3& low, const Vec3& high, const DomainDeck& domain, co
   double product = 1.0;
   std::array<double, 3> count{};
   for (std::size_t d = 0; d < 3; ++d) {
-    grid.periodic[d] = is_periodic(domain, d);
+    grid.periodic[d] = is_periodic(domain, static_cast<Axis>(d));
     const Row row = grid.periodic[d] ? row_of_domain(triple(domain.min)[d], triple(domain.max)[d], resolution.spacing)
                                      : row_around(triple(low)[d], triple(high)[d], resolution);
     grid.origin[d] = row.origin;

@@ -1,6 +1,5 @@
 #include "output/dump_export.h"
 
-#include <algorithm>
 #include <array>
 
 #include <fmt/core.h>
@@ -16,10 +15,6 @@ namespace repose {
 namespace {
 
 constexpr std::array<double Vec3::*, 3> components = {&Vec3::x, &Vec3::y, &Vec3::z};
-
-bool is_periodic(const DomainDeck& domain, std::size_t axis) {
-  return std::find(domain.periodic.begin(), domain.periodic.end(), static_cast<Axis>(axis)) != domain.periodic.end();
-}
 
 /// The domain of the deck in the snapshot.
 DomainDeck domain_of(const SnapshotParticles& snapshot) {
@@ -76,7 +71,7 @@ void write_box(Hdf5Image& file, const DomainDeck& domain, const std::string& gro
   std::vector<std::string> boundary;
   std::vector<double> edges;
   for (std::size_t k = 0; k < 3; ++k) {
-    boundary.emplace_back(is_periodic(domain, k) ? "periodic" : "none");
+    boundary.emplace_back(is_periodic(domain, static_cast<Axis>(k)) ? "periodic" : "none");
     edges.push_back(domain.max.*components.at(k) - domain.min.*components.at(k));
   }
   file.create_group(group);
@@ -93,7 +88,7 @@ std::string dump_text(const SnapshotParticles& snapshot) {
   const DomainDeck domain = domain_of(snapshot);
   std::string text =
       fmt::format("ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS", snapshot.step, p.size());
-  for (std::size_t k = 0; k < 3; ++k) text += is_periodic(domain, k) ? " pp" : " ff";
+  for (std::size_t k = 0; k < 3; ++k) text += is_periodic(domain, static_cast<Axis>(k)) ? " pp" : " ff";
   text += "\n";
   for (double Vec3::*component : components) {
     text += shortest_text(domain.min.*component) + " " + shortest_text(domain.max.*component) + "\n";

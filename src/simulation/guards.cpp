@@ -49,23 +49,15 @@ Alarm too_far(const GuardView& view, std::size_t i) {
   const ParticleRecord& p = view.particles.record[i];
   const Vec3 from = p.position - view.dt * p.velocity;
   const double share = speed_of(p) * view.dt / p.radius;
-  return alarm_at(view, i, from,
-                  fmt::format("particle {} from {} moves at {:.3g} m/s, {:.3g} of its radius in one step: beyond {} it "
-                              "could pass through a wall or another particle unseen; shorten time.step to {:.1e} s, or "
-                              "look for what has driven it",
-                              view.particles.id[i], place_text(from), speed_of(p), share, longest_way,
-                              0.5 * longest_way / share * view.dt));
+  const std::string who = fmt::format("particle {} from {}", view.particles.id[i], place_text(from));
+  return alarm_at(view, i, from, too_far_text(who, speed_of(p), share, view.dt, "look for what has driven it"));
 }
 
 Alarm too_fast(const GuardView& view, const TimeStep& time_step, std::size_t i) {
-  const double speed = speed_of(view.particles.record[i]);
-  return alarm_at(
-      view, i, view.particles.record[i].position,
-      fmt::format("particle {} at {} moves at {:.3g} m/s, for which the time step {:.3g} s is {:.2f} times its "
-                  "criterion (expected {:.3g} m/s; an error at {:g}); set time.expected_speed to {:.3g} or shorten "
-                  "time.step",
-                  view.particles.id[i], place_text(view.particles.position(i)), speed, time_step.step,
-                  time_step_excess(time_step, speed), time_step.speed, greatest_excess, speed));
+  const Vec3 position = view.particles.position(i);
+  const std::string who = fmt::format("particle {} at {}", view.particles.id[i], place_text(position));
+  return alarm_at(view, i, view.particles.record[i].position,
+                  too_fast_text(who, speed_of(view.particles.record[i]), time_step));
 }
 
 /// Beyond half of the range. A sum that has wrapped lies there, too, unless it were beyond three halves.
@@ -75,6 +67,20 @@ bool is_nearly_full(const ForceSum& sum) {
 }
 
 }  // namespace
+
+std::string too_far_text(const std::string& who, double speed, double share, double dt, const std::string& remedy) {
+  return fmt::format(
+      "{} moves at {:.3g} m/s, {:.3g} of its radius in one step: beyond {} it could pass through a wall or "
+      "another particle unseen; shorten time.step to {:.1e} s, or {}",
+      who, speed, share, longest_way, 0.5 * longest_way / share * dt, remedy);
+}
+
+std::string too_fast_text(const std::string& who, double speed, const TimeStep& time_step) {
+  return fmt::format(
+      "{} moves at {:.3g} m/s, for which the time step {:.3g} s is {:.2f} times its criterion (expected "
+      "{:.3g} m/s; an error at {:g}); set time.expected_speed to {:.3g} or shorten time.step",
+      who, speed, time_step.step, time_step_excess(time_step, speed), time_step.speed, greatest_excess, speed);
+}
 
 std::string place_text(const Vec3& x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z); }
 

@@ -55,6 +55,13 @@ void throw_if_any(const Communicator& comm, const std::optional<Alarm>& alarm);
 /// message without the step.
 Alarm alarm_at(const GuardView& view, std::size_t index, const Vec3& place, const std::string& what);
 
+/// What is said of a particle, as `who` names it, whose speed (m/s) takes it by this `share` of its radius in a step of
+/// `dt` s, and what may help besides a shorter one.
+std::string too_far_text(const std::string& who, double speed, double share, double dt, const std::string& remedy);
+
+/// What is said of a particle that is too fast for the criteria of the time step.
+std::string too_fast_text(const std::string& who, double speed, const TimeStep& time_step);
+
 /// (x, y, z) in m, as the messages have it.
 std::string place_text(const Vec3& place);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "deck/acts_in.h"
 #include "scene/walls/unit_vector.h"
 
 namespace repose {
@@ -32,7 +33,7 @@ void MovingScene::begin_phase(const std::string& name) {
     if (wall.servo) wall.servo->begin_phase(name);
   }
   const std::vector<std::string>& phases = tilt_.phases;
-  tilts_ = tilt_.enabled && (phases.empty() || std::find(phases.begin(), phases.end(), name) != phases.end());
+  tilts_ = tilt_.enabled && acts_in(phases, name);
 }
 
 void MovingScene::set_wall_present(const std::string& name, bool present) {

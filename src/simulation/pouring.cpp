@@ -103,8 +103,7 @@ struct Pouring::Batch {
 
 Pouring::Pouring(std::vector<Pour> pours, double timestep) : timestep_(timestep) {
   for (Pour& pour : pours) {
-    const double first = pour.deck.start_time / timestep;
-    const std::int64_t start = steps_for(std::ceil(first), 1.0);
+    const std::int64_t start = steps_for(std::ceil(pour.deck.start_time / timestep), 1.0);  // not before its time
     const std::int64_t every = std::max<std::int64_t>(1, steps_for(pour.interval, timestep));
     const double largest = *std::max_element(pour.radius.begin(), pour.radius.end());
     flows_.push_back({std::move(pour), largest, start, every, start + every});

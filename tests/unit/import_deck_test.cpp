@@ -37,12 +37,12 @@ std::string error_of(const std::string& script) {
 }
 
 /// `falling` with a text in place of another.
-std::string with(const std::string& old, const std::string& fresh) {
-  std::string script = test::falling;
+std::string with(std::string script, const std::string& old, const std::string& fresh) {
   const std::size_t at = script.find(old);
   EXPECT_NE(at, std::string::npos) << old;
   return script.replace(at, old.size(), fresh);
 }
+std::string with(const std::string& old, const std::string& fresh) { return with(test::falling, old, fresh); }
 
 /// `falling` with lines before its run.
 std::string before_run(const std::string& lines) { return with("run 1000\n", lines + "run 1000\n"); }
@@ -379,9 +379,7 @@ TEST(ImportDeck, FillsUpToATarget) {
 
 TEST(ImportDeck, InsertsAtARateBeforeTheScriptEnds) {
   std::string script = with("insert/pack", "insert/rate/region");
-  const auto replace = [&](const std::string& one, const std::string& two) {
-    script.replace(script.find(one), one.size(), two);
-  };
+  const auto replace = [&](const std::string& one, const std::string& two) { script = with(script, one, two); };
   replace("insert_every once", "nparticles 40 particlerate 1e5 insert_every 1000");
   replace(" particles_in_region 50", "");
   EXPECT_DOUBLE_EQ(import_text(script).deck.particles.at(0).interval, 500 * 1e-5);
@@ -463,9 +461,7 @@ TEST(ImportDeck, DividesADistributionByMaterials) {
 
 TEST(ImportDeck, RefusesAPairThatIsNoPairTheOtherWayRound) {
   std::string script = with("create_box 1", "create_box 2");
-  const auto replace = [&](const std::string& one, const std::string& two) {
-    script.replace(script.find(one), one.size(), two);
-  };
+  const auto replace = [&](const std::string& one, const std::string& two) { script = with(script, one, two); };
   replace("youngsModulus peratomtype 5e6", "youngsModulus peratomtype 5e6 5e6");
   replace("poissonsRatio peratomtype 0.4", "poissonsRatio peratomtype 0.4 0.4");
   replace("Restitution peratomtypepair 1 0.6", "Restitution peratomtypepair 2 0.6 0.6 0.6 0.6");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "deck/acts_in.h"
 #include "scene/walls/unit_vector.h"
 
 namespace repose {
@@ -119,7 +120,7 @@ Placement carried(const Placement& outer, const Placement& inner) {
 void Motions::begin_phase(const std::string& phase) {
   for (std::size_t k = 0; k < motions_.size(); ++k) {
     const std::vector<std::string>& phases = motions_[k].phases;
-    clocks_[k].runs = phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
+    clocks_[k].runs = acts_in(phases, phase);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/interpolate.h"
 #include "base/math.h"
+#include "deck/acts_in.h"
 #include "scene/walls/unit_vector.h"
 
 namespace repose {
@@ -36,7 +37,7 @@ Servo::Limits Servo::limits_of(const ServoDeck& deck) {
 
 void Servo::begin_phase(const std::string& phase) {
   const std::vector<std::string>& phases = deck_.phases;
-  acts_ = phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
+  acts_ = acts_in(phases, phase);
   if (!acts_) hold();
 }
 

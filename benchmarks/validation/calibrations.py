@@ -6,6 +6,7 @@ import contours
 import numpy as np
 from bench import ROOT, input_deck, print_table, save
 from kept_runs import kept
+from one_funnel import by_radius
 
 CASES = {"carbohsp_friction": "calibrate_carbohsp_levels.toml", "sand_friction": "calibrate_sand_levels.toml",
          "carbohsp_restitution": "calibrate_carbohsp_restitution_levels.toml"}
@@ -106,11 +107,13 @@ def runs_of_the_whole(calibration, centre):
     with the coefficients of its deck, and the runs that are done of the levels above the cheapest."""
     test = json.loads((ROOT / "benchmarks" / "results" / "validation" / "carbohsp_mono.json").read_text())
     counts = {row["figure"]: row["here"] for row in test["comparisons"]}
-    runs = [{"level": "scattering test", "point": tuple(centre), "counts": {figure: counts[figure] for figure in calibration.figures}}]
+    runs = [{"level": "scattering test", "point": tuple(centre), "counts": {figure: counts[figure] for figure in calibration.figures},
+             "state_hash": test["summary"]["state_hash"]}]
     grid = calibration.grid
     for n in np.flatnonzero((grid["state"] == "done") & (grid["level"] != calibration.levels[0])):
         runs.append({"level": str(grid["level"][n]), "point": tuple(float(grid[name][n]) for name in calibration.parameters),
-                     "counts": {figure: float(grid[figure][n]) for figure in calibration.figures}})
+                     "counts": {figure: float(grid[figure][n]) for figure in calibration.figures},
+                     "state_hash": calibration.run(n).summary["state_hash"]})
     return runs
 
 
@@ -132,6 +135,7 @@ def tied_to_the_whole(calibration, fits, centre):
         rows.append({"level": run["level"], **dict(zip(calibration.parameters, run["point"]))})
         for figure in fits:
             rows[-1] |= {figure: run["counts"][figure], f"{figure} by the fit": factors[figure] * np.exp(at @ fits[figure][0])}
+        rows[-1]["state_hash"] = run["state_hash"]
     point, rest = np.array(centre, dtype=float), [np.inf]
     for _ in range(50):
         x, y = point - centre
@@ -157,22 +161,23 @@ def study(options):
         name = f"calibration_{case}"
         with kept(options, name):
             calibration, content = contours.calibrate(options, name, ROOT / "input" / CASES[case], so_far=True)
-        differences, along, of_counts = [], [], {}
+        differences, along, of_case = [], [], {}
         if case != "carbohsp_restitution":
             differences, along = above_the_cheapest(calibration, content["rows"]), along_the_first(calibration)
+            of_case["by_radius"] = by_radius(options, calibration)
         else:  # its levels count around piles of their own
             centre = [pair["restitution"] for pair in input_deck("scatter_carbohsp.toml")["pair"]]
             fits = fits_of_counts(calibration, centre)
             if fits:
-                of_counts = {"slopes_of_counts": slopes_of_counts(calibration, fits),
-                             "tied_to_the_whole": tied_to_the_whole(calibration, fits, centre)}
-        scatter, tied = scatter_of_seeds(calibration), of_counts.get("tied_to_the_whole", {})
-        for rows, digits in ((differences, 4), (along, 3), (scatter, 2), (of_counts.get("slopes_of_counts"), 3), (tied.get("runs"), 3),
-                             (tied.get("coefficients"), 3)):
+                of_case = {"slopes_of_counts": slopes_of_counts(calibration, fits),
+                           "tied_to_the_whole": tied_to_the_whole(calibration, fits, centre)}
+        scatter, tied = scatter_of_seeds(calibration), of_case.get("tied_to_the_whole", {})
+        for rows, digits in ((differences, 4), (along, 3), (of_case.get("by_radius"), 4), (scatter, 2), (of_case.get("slopes_of_counts"), 3),
+                             (tied.get("runs"), 3), (tied.get("coefficients"), 3)):
             if rows:
                 print_table(rows, digits=digits)
         is_complete = calibration.states["waiting"] == 0
         save(options.results / f"{name}.json", case=case, is_complete=is_complete, above_the_cheapest=differences,
-             along_the_first=along, scatter_of_seeds=scatter, **of_counts, **content)
+             along_the_first=along, scatter_of_seeds=scatter, **of_case, **content)
         if not is_complete:
             raise SystemExit(f"{name} is not complete: the same command goes on")

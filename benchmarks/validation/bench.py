@@ -43,11 +43,6 @@ def input_deck(name):
     return tomllib.loads((ROOT / "input" / name).read_text())
 
 
-def level_of(calibration, name):
-    """What a level of a calibration sets, by the names of both."""
-    return next(level["set"] for level in input_deck(calibration)["level"] if level["name"] == name)
-
-
 def measured(options, snapshot, deck, output, sets=()):
     """The figures that `repose measure` finds in a snapshot."""
     words = [word for override in sets for word in ("--set", override)]

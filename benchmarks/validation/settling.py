@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bench import Bench, identities, level_of, print_table, rayleigh_share, repose, save
+from bench import Bench, identities, print_table, rayleigh_share, repose, save
 
 SHARES = (0.2, 0.3, 0.4)
 # Restitutions of grains that are damped, and shares about those with which their beds come to rest; the scattering test has 0.71
@@ -21,7 +21,8 @@ AFTER = 0.2  # s
 
 def grains_of(calibration, name):
     """What a level of a calibration has otherwise than the test itself, but for its time step and what it measures."""
-    return [key for key in level_of(calibration, name) if not key.startswith(("time.", "measurement."))]
+    level = next(level for level in input_deck(calibration)["level"] if level["name"] == name)
+    return [key for key in level["set"] if not key.startswith(("time.", "measurement."))]
 
 
 def shares_of(case):

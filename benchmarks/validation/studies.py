@@ -8,7 +8,6 @@ import numpy as np
 
 import bulk_density
 import calibrations
-import checks
 import clogging
 import contours
 import little_friction
@@ -164,7 +163,7 @@ def sizes(options):
 STUDIES = {"full": full, "stiffness": stiffness, "time_step": time_step, "funnel": funnel, "sizes": sizes,
            "sand_layer": sand_layer.study, "contours": contours.study, "calibrations": calibrations.study, "sensitivity": sensitivity.study,
            "orifice": orifice.study, "clogging": clogging.study, "bulk_density": bulk_density.study, "planes": planes.study,
-           "checks": checks.study, "wall_friction": wall_friction.study, "ruler": ruler.study, "little_friction": little_friction.study, "settling": settling.study}
+           "wall_friction": wall_friction.study, "ruler": ruler.study, "little_friction": little_friction.study, "settling": settling.study}
 
 
 def main():

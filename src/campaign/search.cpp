@@ -151,9 +151,9 @@ std::vector<LevelPoint> first_design(const CalibrationDeck& deck) {
   Points points;
   for (std::size_t level = 0; level < deck.level_count(); ++level) {
     const auto count = static_cast<std::size_t>(start_of_level(deck, level));
-    for (std::vector<double>& values : start_design(ranges, count, design_seed)) {
-      points.push_back({level, std::move(values)});
-    }
+    std::vector<std::vector<double>> design = start_design(ranges, count, design_seed);
+    for (std::vector<double>& values : points_of_level(deck, level)) design.push_back(std::move(values));
+    for (std::vector<double>& values : design) points.push_back({level, std::move(values)});
   }
   return rounded(std::move(points));
 }

@@ -10,7 +10,7 @@ namespace repose {
 /// narrow enough, or at the budget.
 DoneRuns search(const CalibrationDeck& deck, CalibrationWork& work, std::vector<LevelPoint> points);
 
-/// The points that a search starts from, at every level.
+/// The points that a search starts from, at every level: its design and those that the deck lists.
 std::vector<LevelPoint> first_design(const CalibrationDeck& deck);
 
 /// Core-hours of runs that have ended, at the deck's speed of a core. One that failed counts as long as it was expected

@@ -83,6 +83,7 @@ void describe(V& v, ExperimentDeck& e) {
 template <class V>
 void describe(V& v, PointDeck& p) {
   v("values", p.values, Unit::none, any_value, required, "one value per parameter");
+  v("level", p.level, Unit::none, any_value, optional_else("all"), "with [adaptive]: name of that at which it is run");
 }
 
 template <class V>
@@ -103,7 +104,7 @@ void describe(V& v, CalibrationDeck& d) {
   v("confidence", d.confidence, Unit::none, Range{.min = 0, .max = 1, .excludes_min = true, .excludes_max = true},
     optional, "of the region");
   describe_study(v, d.study, optional_else("none; each experiment then needs its own"));
-  v.sections("point", d.points, optional, "a point to run at, instead of a grid");
+  v.sections("point", d.points, optional, "a point to run at, instead of a grid, or beside what [adaptive] decides on");
   v.sections("observable", d.observables, optional, "a figure or a curve and what the laboratory has");
   v.sections("level", d.levels, optional, "a level of the model, the cheapest first; the last one counts");
   v.sections("experiment", d.experiments, optional, "one of several tests that share the parameters");
@@ -142,6 +143,15 @@ StudyDeck study_of_level(const CalibrationDeck& deck, std::size_t level, std::si
 std::int64_t start_of_level(const CalibrationDeck& deck, std::size_t level) {
   const bool has_own = !deck.levels.empty() && deck.levels.at(level).start > 0;
   return has_own ? deck.levels[level].start : deck.adaptive.start;
+}
+
+std::vector<std::vector<double>> points_of_level(const CalibrationDeck& deck, std::size_t level) {
+  std::vector<std::vector<double>> points;
+  for (const PointDeck& point : deck.points) {
+    const bool is_run = point.level.empty() || (level < deck.levels.size() && point.level == deck.levels[level].name);
+    if (is_run) points.push_back(point.values);
+  }
+  return points;
 }
 
 std::vector<std::vector<double>> points_of(const CalibrationDeck& deck) {

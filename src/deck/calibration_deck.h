@@ -48,6 +48,7 @@ struct ObservableDeck {
 /// Parameters to run at, in the order of the [[parameter]] sections.
 struct PointDeck {
   std::vector<double> values;
+  std::string level;  ///< name of that at which a search runs it; empty: all
 };
 
 /// A search that decides on its points as it goes.
@@ -93,7 +94,7 @@ struct ExperimentDeck {
 struct CalibrationDeck {
   StudyDeck study;
   double confidence = 0.95;
-  std::vector<PointDeck> points;            ///< instead of a grid
+  std::vector<PointDeck> points;            ///< instead of a grid, or beside the first design of a search
   std::vector<ObservableDeck> observables;  ///< those of all experiments, one after the other
   std::vector<LevelDeck> levels;            ///< the cheapest first; empty: one, which is the study
   AdaptiveDeck adaptive;
@@ -108,6 +109,9 @@ StudyDeck study_of_level(const CalibrationDeck& deck, std::size_t level, std::si
 
 /// Points of the first design of a level.
 std::int64_t start_of_level(const CalibrationDeck& deck, std::size_t level);
+
+/// The points of the list that a search runs at a level beside its first design.
+std::vector<std::vector<double>> points_of_level(const CalibrationDeck& deck, std::size_t level);
 
 /// All its keys, for a person.
 std::string calibration_keys();

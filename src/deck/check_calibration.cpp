@@ -13,6 +13,26 @@
 namespace repose {
 namespace {
 
+bool has_level(const CalibrationDeck& deck, const std::string& name) {
+  return std::any_of(deck.levels.begin(), deck.levels.end(),
+                     [&](const LevelDeck& level) { return level.name == name; });
+}
+
+void check_level_of_point(const CalibrationDeck& deck, const std::string& level, const std::string& key,
+                          DeckErrors& errors) {
+  if (level.empty()) return;
+  if (!deck.adaptive.enabled) {
+    errors.add(key, "\"level\" belongs to a search, which takes [adaptive]");
+  } else if (!has_level(deck, level)) {
+    errors.add(key, fmt::format("\"{}\" is no [[level]] of the file", level));
+  }
+}
+
+/// How many points a search begins with at a level.
+double first_points(const CalibrationDeck& deck, std::size_t level) {
+  return static_cast<double>(start_of_level(deck, level)) + static_cast<double>(points_of_level(deck, level).size());
+}
+
 void check_points(const CalibrationDeck& deck, DeckErrors& errors) {
   const std::vector<ParameterDeck>& parameters = deck.study.parameters;
   const bool is_grid = deck.points.empty() && !deck.adaptive.enabled;
@@ -25,11 +45,10 @@ void check_points(const CalibrationDeck& deck, DeckErrors& errors) {
                is_grid ? "[[parameter]] lacks \"points\" or \"values\"; or list points as [[point]]"
                        : "\"points\" and \"values\" make a grid, which [[point]] and [adaptive] exclude");
   }
-  if (!deck.points.empty() && deck.adaptive.enabled)
-    errors.add("adaptive", "[adaptive] and [[point]] exclude each other");
   for (std::size_t i = 0; i < deck.points.size(); ++i) {
-    const std::vector<double>& values = deck.points[i].values;
+    const auto& [values, level] = deck.points[i];
     const std::string key = fmt::format("point.{}.values", i);
+    check_level_of_point(deck, level, fmt::format("point.{}.level", i), errors);
     if (values.size() != parameters.size()) {
       errors.add(key, fmt::format("\"values\" must have {}, one per parameter", parameters.size()));
       continue;
@@ -40,7 +59,9 @@ void check_points(const CalibrationDeck& deck, DeckErrors& errors) {
                                   parameters[k].max));
     }
     for (std::size_t j = 0; j < i; ++j) {
-      if (deck.points[j].values == values) errors.add(key, "this point stands here twice");
+      const PointDeck& other = deck.points[j];
+      const bool at_one_level = level.empty() || other.level.empty() || level == other.level;
+      if (at_one_level && other.values == values) errors.add(key, "this point stands here twice");
     }
   }
 }
@@ -54,13 +75,12 @@ void check_number_of_runs(const CalibrationDeck& deck, DeckErrors& errors) {
         p.points > 0 ? static_cast<double>(p.points) : static_cast<double>(std::max<std::size_t>(1, p.values.size()));
   }
   if (!deck.points.empty()) points = static_cast<double>(deck.points.size());
-  if (deck.adaptive.enabled) points = static_cast<double>(std::max(deck.adaptive.budget, deck.adaptive.start));
+  if (deck.adaptive.enabled) points = std::max(static_cast<double>(deck.adaptive.budget), first_points(deck, 0));
   double runs = 0.0;
   for (std::size_t k = 0; k < deck.level_count(); ++k) {
     const bool has_start = deck.adaptive.enabled && !deck.levels.empty();
     for (std::size_t e = 0; e < deck.experiment_count(); ++e) {
-      runs += (has_start ? static_cast<double>(start_of_level(deck, k)) : points) *
-              static_cast<double>(study_of_level(deck, k, e).seeds);
+      runs += (has_start ? first_points(deck, k) : points) * static_cast<double>(study_of_level(deck, k, e).seeds);
     }
   }
   if (runs > most) errors.add("parameter", fmt::format("these are {:.3g} runs; at most {:.0g} are taken", runs, most));
@@ -130,11 +150,10 @@ void check_experiments(CalibrationDeck& deck, DeckErrors& errors) {
     check_observables(e.observables, section + ".", errors);
     for (std::size_t k = 0; k < e.levels.size(); ++k) {
       const std::string& name = e.levels[k].name;
-      const auto is_it = [&](const auto& l) { return l.name == name; };
       const std::string key = fmt::format("{}.level.{}.name", section, k);
-      if (std::none_of(deck.levels.begin(), deck.levels.end(), is_it))
-        errors.add(key, fmt::format("\"{}\" is no [[level]] of the file", name));
-      if (std::any_of(e.levels.begin(), e.levels.begin() + static_cast<std::ptrdiff_t>(k), is_it))
+      if (!has_level(deck, name)) errors.add(key, fmt::format("\"{}\" is no [[level]] of the file", name));
+      if (std::any_of(e.levels.begin(), e.levels.begin() + static_cast<std::ptrdiff_t>(k),
+                      [&](const ExperimentLevelDeck& before) { return before.name == name; }))
         errors.add(key, fmt::format("\"{}\" stands here twice", name));
     }
     for (ObservableDeck o : e.observables) {
@@ -172,9 +191,10 @@ void check_adaptive(const CalibrationDeck& deck, DeckErrors& errors) {
   if (a.budget == 0 && std::isnan(a.budget_core_hours))
     errors.add("adaptive", "[adaptive] lacks \"budget\" or \"budget_core_hours\"");
   double start = 0.0;
-  for (std::size_t k = 0; k < deck.level_count(); ++k) start += static_cast<double>(start_of_level(deck, k));
+  for (std::size_t k = 0; k < deck.level_count(); ++k) start += first_points(deck, k);
   if (a.budget == 0 || static_cast<double>(a.budget) >= start) return;
-  const char* what = deck.levels.empty() ? "\"start\"" : "\"start\" of all levels";
+  std::string what = deck.levels.empty() ? "\"start\"" : "\"start\" of all levels";
+  if (!deck.points.empty()) what += " and each [[point]]";
   errors.add("adaptive.budget", fmt::format("\"budget\" = {} must be at least {} = {}", a.budget, what, start));
 }
 

@@ -59,7 +59,9 @@ void add_studies(const fs::path& input, const Seeds& seeds) {
   seeds.add("search",
             "base = \"a\"\n[[parameter]]\nname = \"a\"\nkey = \"pair.0.restitution\"\nmin = 0\nmax = 1\n"
             "[[observable]]\nfigure = \"pile_height_m\"\nlaboratory = 1\ndeviation = 1\nscale = \"logarithm\"\n"
-            "[adaptive]\nstart = 5\nbatch = 2\nbudget = 9\nhalf_width = 0.1\n");
+            "[[level]]\nname = \"small\"\nset = [\"time.step=1e-6\"]\n[[level]]\nname = \"large\"\n"
+            "[[point]]\nvalues = [0.5]\nlevel = \"large\"\n"
+            "[adaptive]\nstart = 5\nbatch = 2\nbudget = 11\nhalf_width = 0.1\n");
   seeds.add(
       "list",
       "base = \"a\"\n[[parameter]]\nname = \"a\"\nkey = \"time.step\"\nmin = 0\nmax = 1\n[[point]]\nvalues = [0.5]\n"

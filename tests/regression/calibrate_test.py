@@ -482,6 +482,23 @@ class Calibrate(FolderTest):
         wrong("discrepancy_share = 0.1", "discrepancy_share = -0.1", "discrepancy_share")
         wrong("start = 6", "start = 3", "start")
         wrong("particles.0.mass=0.02 g", "particles.0.masss=0.02 g", "masss")
+        listed = '[[point]]\nvalues = [0.3, 0.5]\nlevel = "large"\n[adaptive]'
+        wrong("[adaptive]", listed.replace("large", "huge"), '"huge" is no [[level]] of the file')
+        wrong("[adaptive]", listed.replace("0.5]", "0.9]"), "restitution = 0.9 is not from 0.2 to 0.8")
+        wrong("[adaptive]", listed.replace("[adaptive]", listed.replace('level = "large"\n', "")), "this point stands here twice")
+        wrong("[adaptive]\nstart = 4", listed + "\nbudget = 10\nstart = 4", '"start" of all levels and each [[point]] = 11')
+        self.refused(self.write(SLIDING + "min = 0.1\nmax = 0.7\n" + MASS + '[[point]]\nvalues = [0.3]\nlevel = "large"\n'),
+                     '"level" belongs to a search, which takes [adaptive]')
+
+    def test_a_listed_point_is_run_at_its_level(self):
+        with open(self.levels()) as file:
+            text = file.read()
+        with open(self.path("study.toml"), "w") as file:
+            file.write(text + '[[point]]\nvalues = [0.3, 0.5]\nlevel = "large"\n')
+        says = self.program.call("check", self.path("study.toml"))
+        self.assertEqual(says.returncode, 0, says.stderr)
+        self.assertIn("small: 12 at 6 points", says.stdout)
+        self.assertIn("large: 10 at 5 points", says.stdout)
 
     def curve_of_runs(self, output, sliding, name="spin.csv", header="x,y,deviation"):
         """A laboratory's curve that is the mean of the runs at a friction, at times between their rows."""

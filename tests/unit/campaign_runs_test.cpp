@@ -165,10 +165,43 @@ TEST(PointsOf, TheLastParameterIsTheFastest) {
 
 TEST(PointsOf, AListOrNoneInASearch) {
   CalibrationDeck deck = grid();
-  deck.points = {{{0.3, 0.3}}};
+  deck.points = {{{0.3, 0.3}, ""}};
   EXPECT_EQ(points_of(deck), (std::vector<std::vector<double>>{{0.3, 0.3}}));
   deck.adaptive.enabled = true;
   EXPECT_TRUE(points_of(deck).empty());
+}
+
+/// Of the first design of a search, those of a level.
+std::vector<std::vector<double>> first_points(const CalibrationDeck& deck, std::size_t level) {
+  std::vector<std::vector<double>> points;
+  for (const LevelPoint& point : first_design(deck)) {
+    if (point.level == level) points.push_back(point.values);
+  }
+  return points;
+}
+
+TEST(FirstDesign, HasListedPointsBesideItsOwnAtTheirLevels) {
+  CalibrationDeck deck;
+  deck.study = study();
+  deck.levels.resize(2);
+  deck.levels[0].name = "small";
+  deck.levels[1].name = "large";
+  deck.levels[1].start = 4;
+  deck.adaptive.enabled = true;
+  deck.adaptive.start = 6;
+  const auto small = first_points(deck, 0);
+  const auto large = first_points(deck, 1);
+  ASSERT_EQ(small.size(), 6U);
+  ASSERT_EQ(large.size(), 4U);
+  deck.points = {{{0.3, 0.3}, "large"}, {{0.123456789, 0.5}, ""}, {large[2], "large"}};
+  auto with_listed = small;
+  with_listed.push_back({0.123457, 0.5});
+  EXPECT_EQ(first_points(deck, 0), with_listed);
+  with_listed = large;
+  with_listed.insert(with_listed.end(), {{0.3, 0.3}, {0.123457, 0.5}, large[2]});
+  EXPECT_EQ(first_points(deck, 1), with_listed);
+  const std::vector<StudyRun> runs = runs_at(deck.study, first_points(deck, 1));  // the last again: further seeds
+  EXPECT_EQ(runs[runs.size() - 2].seed, 7);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "calibration/level_likelihood.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,11 @@ constexpr double noise_slope_scatter = 1.5;
 /// With few points the likelihood may be greatest where a level adds nothing, and that would be taken for certain.
 constexpr double usual_log_added = -2.3;
 constexpr double log_added_scatter = 2.0;
+
+/// Without a second seed nothing tells how runs scatter but what their points are off a smooth surface, of which few
+/// points say little. Then runs scatter as those of the level below do, within this of ln of the variance.
+constexpr double log_noise_apart = 1.0;
+constexpr double least_taken = 0.01;  ///< where the level below is of no use, it says little of the noise, too
 
 constexpr int rounds_of_rho = 4;
 
@@ -35,7 +41,26 @@ LevelParameters parameters_at(const Vector& x, Index d) {
           .noise = x.tail(d + 1)};
 }
 
-double penalty(const Vector& x, Index d, bool is_lowest, Vector& gradient) {
+/// The prior of the noise: where each of its parameters is expected, and by how much it may be off.
+struct NoisePrior {
+  Vector mean, scatter;
+  bool is_over_added = false;  ///< the first is relative to what the level adds
+};
+
+NoisePrior noise_prior(const Replicates& data, const BelowLevel& below, double taken) {
+  const Index size = data.points.cols() + 1;
+  if (below.noise.size() == 0 || data.freedom_within > 0.0) {
+    NoisePrior prior = {Vector::Zero(size), Vector::Constant(size, noise_slope_scatter), true};
+    prior.mean[0] = usual_log_noise;
+    prior.scatter[0] = log_noise_scatter;
+    return prior;
+  }
+  NoisePrior prior = {below.noise, Vector::Constant(size, log_noise_apart), false};
+  prior.mean[0] += std::log(std::max(taken, least_taken));
+  return prior;
+}
+
+double penalty(const Vector& x, Index d, bool is_lowest, const NoisePrior& noise, Vector& gradient) {
   const Layout at{d};
   double sum = 0.0;
   const auto add = [&](double off, double scatter, auto&& slopes) {
@@ -44,12 +69,14 @@ double penalty(const Vector& x, Index d, bool is_lowest, Vector& gradient) {
   };
   for (Index j = 0; j < d; ++j) {
     add(x[j], 1.0, [&](double slope) { gradient[j] += slope; });
-    add(x[at.noise() + 1 + j], noise_slope_scatter, [&](double slope) { gradient[at.noise() + 1 + j] += slope; });
   }
-  add(x[at.noise()] - x[at.added()] - usual_log_noise, log_noise_scatter, [&](double slope) {
-    gradient[at.noise()] += slope;
-    gradient[at.added()] -= slope;
-  });
+  for (Index j = 0; j <= d; ++j) {
+    const bool over_added = noise.is_over_added && j == 0;
+    add(x[at.noise() + j] - (over_added ? x[at.added()] : 0.0) - noise.mean[j], noise.scatter[j], [&](double slope) {
+      gradient[at.noise() + j] += slope;
+      if (over_added) gradient[at.added()] -= slope;
+    });
+  }
   if (!is_lowest) {
     add(x[at.added()] - usual_log_added, log_added_scatter, [&](double slope) { gradient[at.added()] += slope; });
   }
@@ -141,7 +168,7 @@ double level_deviance(const Replicates& data, const BelowLevel& below, double ta
   }
   gradient[at.added()] = slope.cwiseProduct(f.kernel).sum();
   gradient[at.noise()] = by_noise.sum();
-  return deviance + penalty(x, d, below.mean.size() == 0, gradient);
+  return deviance + penalty(x, d, below.mean.size() == 0, noise_prior(data, below, taken), gradient);
 }
 
 LevelParameters most_likely_level(const Replicates& data, const BelowLevel& below) {

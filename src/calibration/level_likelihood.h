@@ -9,6 +9,7 @@ namespace repose {
 struct BelowLevel {
   Vector mean;
   Matrix covariance;
+  Vector noise;  ///< that of LevelParameters
 };
 
 /// Whether the mean of a level is a plane: at the lowest, when its points can bear one. Above it the level below has

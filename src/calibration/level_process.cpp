@@ -29,6 +29,7 @@ LevelProcess::LevelProcess(std::vector<Replicates> levels) {
       below.mean.resize(level.size());
       for (Index i = 0; i < level.size(); ++i) below.mean[i] = mean(level.points.row(i).transpose());
       below.covariance = covariance(k, level.points, k, level.points);
+      below.noise = parameters_[k].noise;
     }
     const LevelParameters parameters = most_likely_level(level, below);
     add_level(std::move(level), parameters);

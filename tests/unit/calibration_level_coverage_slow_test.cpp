@@ -29,6 +29,11 @@ TEST(LevelCoverage, WithALevelThatIsOfNoUse) {
   expect_95_percent(useless_levels(), 5800);
   expect_95_percent(with_middle(useless_levels()), 6000);
 }
+// Runs of the levels above are taken to scatter as those below say, times rho: here they scatter somewhat less.
+TEST(LevelCoverage, WithOneSeedAboveTheLowest) {
+  expect_95_percent(with_single_seeds(correlated_levels()), 7000);
+  expect_95_percent(with_single_seeds(with_middle(correlated_levels())), 7200);
+}
 
 // What limits a search is the scatter of the last level's own runs, of which the levels below cannot tell; so problems
 // differ much, and the bound is of twenty of them.

@@ -14,6 +14,7 @@ void expect_coverage(const LevelStandIn& s) { EXPECT_GE(covered_of(s, 5000, 50),
 TEST(LevelCoverage, WithALevelThatCorrelates) { expect_coverage(correlated_levels()); }
 TEST(LevelCoverage, WithALevelOfATrendOfItsOwn) { expect_coverage(biased_levels()); }
 TEST(LevelCoverage, WithALevelThatIsOfNoUse) { expect_coverage(useless_levels()); }
+TEST(LevelCoverage, WithOneSeedAboveTheLowest) { expect_coverage(with_single_seeds(correlated_levels())); }
 
 TEST(LevelSearch, CostsLessThanTheLastLevelAlone) {
   LevelStandIn s = correlated_levels();

@@ -171,24 +171,46 @@ struct LevelDeviance : testing::Test {
     below.mean.resize(high.size());
     for (Index i = 0; i < high.size(); ++i) below.mean[i] = process.mean(high.points.row(i).transpose());
     below.covariance = process.covariance(0, high.points, 0, high.points);
+    below.noise = process.parameters(0).noise;
+  }
+
+  /// Against differences, at two noises of which the second is near its floor.
+  void expect_gradient(const Replicates& runs) {
+    Vector gradient, ignored;
+    const auto deviance = [&](const Vector& at) { return level_deviance(runs, below, 3.6, at, ignored); };
+    for (const double noise : {-3.0, -20.0}) {
+      x[3] = noise;
+      const double rounding = 1e-15 * std::fabs(level_deviance(runs, below, 3.6, x, gradient)) / 1e-5;
+      for (Index j = 0; j < x.size(); ++j) {
+        Vector before = x;
+        Vector after = x;
+        before[j] -= 1e-5;
+        after[j] += 1e-5;
+        const double slope = (deviance(after) - deviance(before)) / 2e-5;
+        EXPECT_NEAR(gradient[j], slope, rounding + 1e-5 * (1.0 + std::fabs(slope))) << j << " at " << noise;
+      }
+    }
   }
 };
 
-TEST_F(LevelDeviance, HasTheGradientItSays) {
-  Vector gradient, ignored;
-  for (const double noise : {-3.0, -20.0}) {  // the second is near its floor
-    x[3] = noise;
-    const double rounding = 1e-15 * std::fabs(level_deviance(high, below, 3.6, x, gradient)) / 1e-5;
-    for (Index j = 0; j < x.size(); ++j) {
-      Vector before = x;
-      Vector after = x;
-      before[j] -= 1e-5;
-      after[j] += 1e-5;
-      const double slope =
-          (level_deviance(high, below, 3.6, after, ignored) - level_deviance(high, below, 3.6, before, ignored)) / 2e-5;
-      EXPECT_NEAR(gradient[j], slope, rounding + 1e-5 * (1.0 + std::fabs(slope))) << j << " at " << noise;
-    }
-  }
+TEST_F(LevelDeviance, HasTheGradientItSays) { expect_gradient(high); }
+TEST_F(LevelDeviance, HasTheGradientItSaysWithOneSeed) { expect_gradient(runs_of(few, dear, 0.1)); }
+
+// Five points on a smooth surface do not make runs certain that scatter below.
+TEST_F(LevelDeviance, WithoutASecondSeedTheScatterIsThatOfTheLevelBelow) {
+  const double rho = 1.5;
+  const Replicates smooth = replicates_of(few, values_at(few, [&](double a, double b) {
+                                            return rho * process.mean(vector_of({a, b}));
+                                          }));
+  below.noise = vector_of({-3.0, 0.4, -0.2});
+  const LevelParameters alone = most_likely_level(smooth, {below.mean, below.covariance, {}});
+  const LevelParameters with_below = most_likely_level(smooth, below);
+  EXPECT_NEAR(with_below.rho, rho, 0.1);
+  const Vector middle = vector_of({0.5, 0.5});
+  const double scatter_below = rho * std::exp(0.5 * below.noise[0]);
+  EXPECT_LT(std::sqrt(alone.noise_variance(middle)), 0.1 * scatter_below);
+  EXPECT_GT(std::sqrt(with_below.noise_variance(middle)), 0.4 * scatter_below);
+  EXPECT_LT(std::sqrt(with_below.noise_variance(middle)), 1.2 * scatter_below);
 }
 
 // Runs together at a point are worth the same runs one by one, at points that hardly differ.

@@ -19,6 +19,7 @@ struct LevelStandIn {
   std::vector<std::vector<Response>> below;  ///< for each level below the last, one per observable
   std::vector<double> noise;                 ///< of each level's runs, over that of the last
   std::vector<std::size_t> design;           ///< points of each level
+  std::vector<int> seeds = {};               ///< at each point of each level; empty: 2
 
   std::size_t levels() const { return below.size() + 1; }
 };
@@ -57,6 +58,15 @@ inline LevelStandIn useless_levels() {
           .design = {36, 10}};
 }
 
+/// Levels whose runs take hours but for the lowest: few points and one seed at each.
+inline LevelStandIn with_single_seeds(LevelStandIn s) {
+  s.design.assign(s.levels(), 5);
+  s.seeds.assign(s.levels(), 1);
+  s.design.front() = 14;
+  s.seeds.front() = 2;
+  return s;
+}
+
 /// With a level between.
 inline LevelStandIn with_middle(LevelStandIn s) {
   s.below.push_back({[](double a, double b, double last) { return 2.0 + 0.6 * last + 0.05 * a * b; },
@@ -88,9 +98,10 @@ inline void add_run(LevelCampaign& c, const LevelStandIn& s, std::size_t level, 
   }
 }
 
-/// A Latin hypercube at each level, with so many seeds at each point.
-inline void add_designs(LevelCampaign& c, const LevelStandIn& s, int seeds, Draw& draw) {
+/// A Latin hypercube at each level.
+inline void add_designs(LevelCampaign& c, const LevelStandIn& s, Draw& draw) {
   for (std::size_t level = 0; level < s.levels(); ++level) {
+    const int seeds = s.seeds.empty() ? 2 : s.seeds[level];
     for (const std::vector<double>& point : start_design(s.last.ranges, s.design[level], 1)) {
       for (int k = 0; k < seeds; ++k) add_run(c, s, level, point, draw);
     }

@@ -19,7 +19,7 @@ inline int covered_of(const LevelStandIn& s, std::uint64_t first, std::uint64_t 
     Draw draw(first + i);
     const std::vector<double> hidden = hidden_in(s.last, draw);
     LevelCampaign c = start_of(s, laboratory_of(s.last, hidden, draw));
-    add_designs(c, s, 2, draw);
+    add_designs(c, s, draw);
     const Misfit misfit(s.last.ranges, c.runs.points, c.levels, c.runs.observables);
     covered += misfit(to_box(s.last.ranges, hidden)) <= limit ? 1 : 0;
   }
@@ -49,7 +49,7 @@ inline SearchOutcome search_levels(const LevelStandIn& s, const std::vector<Labo
     return std::pow(20.0, static_cast<double>(level + 1) - static_cast<double>(s.levels()));
   };
   LevelCampaign c = start_of(s, laboratory);
-  add_designs(c, s, seeds, draw);
+  add_designs(c, s, draw);
   SearchOutcome outcome;
   for (std::size_t level : c.levels.of_run) outcome.cost += cost_of(level);
   bool narrow = false;

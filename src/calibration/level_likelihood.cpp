@@ -18,7 +18,7 @@ constexpr double noise_slope_scatter = 1.5;
 constexpr double usual_log_added = -2.3;
 constexpr double log_added_scatter = 2.0;
 
-/// Without a second seed nothing tells how runs scatter but what their points are off a smooth surface, of which few
+/// Without second seeds nothing tells how runs scatter but what their points are off a smooth surface, of which few
 /// points say little. Then runs scatter as those of the level below do, within this of ln of the variance.
 constexpr double log_noise_apart = 1.0;
 constexpr double least_taken = 0.01;  ///< where the level below is of no use, it says little of the noise, too
@@ -49,7 +49,7 @@ struct NoisePrior {
 
 NoisePrior noise_prior(const Replicates& data, const BelowLevel& below, double taken) {
   const Index size = data.points.cols() + 1;
-  if (below.noise.size() == 0 || data.freedom_within > 0.0) {
+  if (below.noise.size() == 0 || data.freedom_within >= least_second_seeds) {
     NoisePrior prior = {Vector::Zero(size), Vector::Constant(size, noise_slope_scatter), true};
     prior.mean[0] = usual_log_noise;
     prior.scatter[0] = log_noise_scatter;

@@ -16,6 +16,10 @@ struct BelowLevel {
 /// the slopes, and a plane beside it would leave rho undetermined.
 bool has_plane(const Replicates& data, bool is_lowest);
 
+/// Second seeds (runs less points) from which on a level's own runs tell their scatter; with fewer it is taken from the
+/// level below.
+constexpr int least_second_seeds = 4;
+
 constexpr double rho_scatter = 10.0;  ///< of its prior, about 0: keeps it finite where the level below is flat
 
 /// -2 ln of the restricted likelihood of a level's runs given the levels below, less the logarithm of the prior, over

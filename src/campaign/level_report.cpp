@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "calibration/level_likelihood.h"
 #include "calibration/level_surface.h"
 #include "calibration/posterior_estimate.h"
 #include "calibration/standard_runs.h"
@@ -65,6 +66,17 @@ std::ptrdiff_t points_ended(const LevelRuns& level) {
 
 std::ptrdiff_t runs_ended(const LevelRuns& level) {
   return std::count_if(level.records.begin(), level.records.end(), has_ended);
+}
+
+/// Runs that have ended at a point where another of the same experiment has.
+int second_seeds(const LevelRuns& level) {
+  int count = 0;
+  std::set<std::pair<std::size_t, std::vector<double>>> seen;
+  for (std::size_t i = 0; i < level.runs.size(); ++i) {
+    const StudyRun& run = level.runs[i];
+    if (has_ended(level.records[i]) && !seen.emplace(run.experiment, run.values).second) ++count;
+  }
+  return count;
 }
 
 /// Whether a record has a value of observable `k` of the deck.
@@ -223,9 +235,12 @@ std::string levels_text(const CalibrationDeck& deck, std::span<const StudyRun> r
   std::string text;
   for (std::size_t level = 0; level < deck.levels.size(); ++level) {
     const LevelRuns own = runs_of_level(level, runs, records);
-    text += fmt::format("level {:20} {} points, {} runs, {:.3g} core-hours at {:.3g} particle-steps/s\n",
+    text += fmt::format("level {:20} {} points, {} runs, {:.3g} core-hours at {:.3g} particle-steps/s",
                         deck.levels[level].name, points_ended(own), runs_ended(own),
                         core_hours(deck, own.runs, own.records), deck.adaptive.core_speed);
+    if (level > 0 && second_seeds(own) < least_second_seeds)
+      text += fmt::format("; {} second seeds: taken to scatter as {}", second_seeds(own), deck.levels[level - 1].name);
+    text += "\n";
   }
   return text;
 }

@@ -110,6 +110,19 @@ TEST(EstimateReport, CountsWhatHasBeenRunOfEachLevel) {
   EXPECT_NE(text.find("level hard                 4 points, 4 runs, "), std::string::npos) << text;
 }
 
+TEST(EstimateReport, SaysOfWhichLevelTheScatterIsTakenFromBelow) {
+  const auto says = [](const std::string& seeds_of_last) {
+    const CalibrationDeck deck = read(parameter("x") + observable("f", 0.5, 0.05) + levels + seeds_of_last);
+    return text_of(deck, Done(deck, [](const StudyRun& run) -> Figures { return {run.values[0]}; }));
+  };
+  const std::string taken = "particle-steps/s; 0 second seeds: taken to scatter as soft\n";
+  const std::string of_one = says("");
+  const std::size_t at = of_one.find(taken);
+  ASSERT_NE(at, std::string::npos) << of_one;
+  EXPECT_GT(at, of_one.find("level hard"));
+  EXPECT_EQ(says("seeds = 2\n").find("second seeds"), std::string::npos);
+}
+
 // All five points of the level are done, but two were plugged.
 TEST(KnownLevels, CountPointsWithAValueOfEachObservable) {
   const CalibrationDeck deck =

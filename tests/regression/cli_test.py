@@ -81,7 +81,7 @@ class CommandLine(FolderTest):
         says = self.program.call("check", self.program.deck("calibrate_carbohsp_levels.toml")).stdout
         self.assertRegex(says, r"less: 28 at 14 points, each 46\d{3} particles, at most \d+ steps")
         self.assertRegex(says, r"part: 5 at 5 points, each 46813 particles, at most \d+ steps")
-        self.assertRegex(says, r"full: 5 at 5 points, each 156044 particles, at most 1373952 steps, 8 ranks or more")
+        self.assertRegex(says, r"full: 6 at 6 points, each 156044 particles, at most 1373952 steps, 8 ranks or more")
         self.assertRegex(says, r"core-hours +about \d+ at 8e\+06")
         self.assertIn("then 2 points at a time until the region is narrow, at most 40 core-hours in all", says)
         says = self.program.call("check", self.program.deck("calibrate_quick.toml"), ranks=2).stdout

@@ -27,18 +27,19 @@ def mass_per_radius():
     return 1e-3 * (high["retained, g"] - low["retained, g"]) / (high["radius, mm"] - low["radius, mm"])
 
 
-def estimate_with(options, calibration, mass):
-    """The calibration, estimated again in a copy with another retained mass (kg) for the laboratory's."""
-    deck, count = MASS.subn(rf"\g<1>{mass:.6g}", (calibration.directory / calibration.deck_file).read_text())
-    if count != 1:
-        raise SystemExit(f"{calibration.directory / calibration.deck_file}: not one laboratory's retained_mass_kg but {count}")
+def estimates_with(options, calibration, masses):
+    """The calibration, estimated again in a copy, for each retained mass (kg) in place of the laboratory's."""
     with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / calibration.directory.name
+        copy, changed = Path(folder) / calibration.directory.name, Path(folder) / "changed.toml"
         shutil.copytree(calibration.directory, copy)
-        changed = Path(folder) / "changed.toml"
-        changed.write_text(deck)
-        call(["estimate", copy, "--deck", changed], program=options.program)
-        return repose.Calibration(copy).estimate
+        text = (copy / calibration.deck_file).read_text()
+        for mass in masses:
+            deck, count = MASS.subn(rf"\g<1>{mass:.6g}", text)
+            if count != 1:
+                raise SystemExit(f"{calibration.directory / calibration.deck_file}: not one laboratory's retained_mass_kg but {count}")
+            changed.write_text(deck)
+            call(["estimate", copy, "--deck", changed], program=options.program)
+            yield repose.Calibration(copy).estimate
 
 
 def by_radius(options, calibration):
@@ -49,9 +50,8 @@ def by_radius(options, calibration):
     own, slope = own_radius(base), mass_per_radius()
     laboratory = next(o["laboratory"] for o in calibration.laboratory if o["figure"] == "retained_mass_kg")
     rows = []
-    for radius in RADII:
-        mass = laboratory - slope * (radius - own)
-        estimate = estimate_with(options, calibration, mass)
+    masses = [laboratory - slope * (radius - own) for radius in RADII]
+    for radius, mass, estimate in zip(RADII, masses, estimates_with(options, calibration, masses)):
         nearest = estimate["nearest"]
         region = {f"region of {name}": " or ".join(sorted({f"{interval['lower']:.3f} to {interval['upper']:.3f}" for interval in intervals}))
                   for name, intervals in zip(calibration.parameters, zip(*(part["intervals"] for part in estimate["parts"])))}

@@ -238,8 +238,9 @@ std::string levels_text(const CalibrationDeck& deck, std::span<const StudyRun> r
     text += fmt::format("level {:20} {} points, {} runs, {:.3g} core-hours at {:.3g} particle-steps/s",
                         deck.levels[level].name, points_ended(own), runs_ended(own),
                         core_hours(deck, own.runs, own.records), deck.adaptive.core_speed);
-    if (level > 0 && second_seeds(own) < least_second_seeds)
-      text += fmt::format("; {} second seeds: taken to scatter as {}", second_seeds(own), deck.levels[level - 1].name);
+    const int seeds = second_seeds(own);
+    if (level > 0 && seeds < least_second_seeds)
+      text += fmt::format("; {} second seeds: taken to scatter as {}", seeds, deck.levels[level - 1].name);
     text += "\n";
   }
   return text;

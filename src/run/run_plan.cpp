@@ -15,24 +15,26 @@ namespace repose {
 namespace {
 
 /// The guards of a run, for what is known of the particles beforehand: DeckError when one that has this radius (m) and
-/// velocity (m/s) is too fast for the time step. `who()` names it.
+/// velocity (m/s) is too fast for the time step, whose greatest speed is `greatest`. `who()` names it.
 template <class Name>
-void check_speed(double radius, const Vec3& velocity, const TimeStep& dt, const Name& who) {
+void check_speed(double radius, const Vec3& velocity, const TimeStep& dt, double greatest, const Name& who) {
   const double speed = norm(velocity);
   const double share = speed * dt.step / radius;
   if (!(share < longest_way)) throw DeckError(too_far_text(who(), speed, share, dt.step, "slow it down"));
-  if (speed > greatest_speed(dt, greatest_excess)) throw DeckError(too_fast_text(who(), speed, dt));
+  if (speed > greatest) throw DeckError(too_fast_text(who(), speed, dt));
 }
 
 void check_speeds(const Insertion& insertion, const TimeStep& dt) {
+  const double greatest = greatest_speed(dt, greatest_excess);
   const NewParticles& now = insertion.now;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    check_speed(now.radius[i], now.velocity[i], dt,
+    check_speed(now.radius[i], now.velocity[i], dt, greatest,
                 [&] { return fmt::format("particle {} at {}", now.id[i], place_text(now.position[i])); });
   }
   for (const Pour& pour : insertion.pours) {
     const double smallest = *std::min_element(pour.radius.begin(), pour.radius.end());
-    check_speed(smallest, pour.deck.velocity, dt, [&] { return fmt::format("{}: what is poured", pour.block); });
+    check_speed(smallest, pour.deck.velocity, dt, greatest,
+                [&] { return fmt::format("{}: what is poured", pour.block); });
   }
 }
 

@@ -14,6 +14,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from report import ROOT, print_table, save, usual_options  # noqa: E402  (and where the package is)
 import repose  # noqa: E402
 
+RESULTS = ROOT / "benchmarks" / "results" / "validation"  # what studies wrote, as the repository keeps it
+
 
 class Bench:
     """Runs of the program, each in a folder of its own, as many at a time as there are cores."""

@@ -4,7 +4,7 @@ import json
 
 import contours
 import numpy as np
-from bench import ROOT, input_deck, print_table, save
+from bench import RESULTS, ROOT, input_deck, print_table, save
 from kept_runs import kept
 from one_funnel import by_radius
 
@@ -105,7 +105,7 @@ def slopes_of_counts(calibration, fits):
 def runs_of_the_whole(calibration, centre):
     """Runs with all of the mass, around the circles of the laboratory's counts: the scattering test at full size (studies.py full),
     with the coefficients of its deck, and the runs that are done of the levels above the cheapest."""
-    test = json.loads((ROOT / "benchmarks" / "results" / "validation" / "carbohsp_mono.json").read_text())
+    test = json.loads((RESULTS / "carbohsp_mono.json").read_text())
     counts = {row["figure"]: row["here"] for row in test["comparisons"]}
     runs = [{"level": "scattering test", "point": tuple(centre), "counts": {figure: counts[figure] for figure in calibration.figures},
              "state_hash": test["summary"]["state_hash"]}]

@@ -6,7 +6,7 @@ import shutil
 import tempfile
 from pathlib import Path
 
-from bench import ROOT, input_deck, repose
+from bench import RESULTS, input_deck, repose
 from contours import coefficient, misfit_at
 from repose.program import call
 
@@ -22,7 +22,7 @@ def own_radius(deck):
 
 def mass_per_radius():
     """How the retained mass grows with the radius, kg/mm, from both radii of CarboHSP in `studies.py funnel`."""
-    table = json.loads((ROOT / "benchmarks" / "results" / "validation" / "funnel.json").read_text())["table"]
+    table = json.loads((RESULTS / "funnel.json").read_text())["table"]
     low, high = [row for row in table if row["deck"] == "scatter_carbohsp.toml"]
     return 1e-3 * (high["retained, g"] - low["retained, g"]) / (high["radius, mm"] - low["radius, mm"])
 

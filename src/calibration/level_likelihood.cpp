@@ -21,6 +21,7 @@ constexpr double log_added_scatter = 2.0;
 /// Without second seeds nothing tells how runs scatter but what their points are off a smooth surface, of which few
 /// points say little. Then runs scatter as those of the level below do, within this of ln of the variance.
 constexpr double log_noise_apart = 1.0;
+constexpr int least_second_seeds = 4;
 constexpr double least_taken = 0.01;  ///< where the level below is of no use, it says little of the noise, too
 
 constexpr int rounds_of_rho = 4;
@@ -49,7 +50,7 @@ struct NoisePrior {
 
 NoisePrior noise_prior(const Replicates& data, const BelowLevel& below, double taken) {
   const Index size = data.points.cols() + 1;
-  if (below.noise.size() == 0 || data.freedom_within >= least_second_seeds) {
+  if (below.noise.size() == 0 || has_own_scatter(data)) {
     NoisePrior prior = {Vector::Zero(size), Vector::Constant(size, noise_slope_scatter), true};
     prior.mean[0] = usual_log_noise;
     prior.scatter[0] = log_noise_scatter;
@@ -134,6 +135,8 @@ Vector squares_at_points(const Replicates& data) {
 }  // namespace
 
 bool has_plane(const Replicates& data, bool is_lowest) { return is_lowest && bears_plane(data); }
+
+bool has_own_scatter(const Replicates& data) { return data.second_seeds() >= least_second_seeds; }
 
 double level_deviance(const Replicates& data, const BelowLevel& below, double taken, const Vector& x,
                       Vector& gradient) {

@@ -16,9 +16,8 @@ struct BelowLevel {
 /// the slopes, and a plane beside it would leave rho undetermined.
 bool has_plane(const Replicates& data, bool is_lowest);
 
-/// Second seeds (runs less points) from which on a level's own runs tell their scatter; with fewer it is taken from the
-/// level below.
-constexpr int least_second_seeds = 4;
+/// Whether the runs of a level tell their scatter themselves; with few second seeds it is taken from the level below.
+bool has_own_scatter(const Replicates& data);
 
 constexpr double rho_scatter = 10.0;  ///< of its prior, about 0: keeps it finite where the level below is flat
 

@@ -19,6 +19,7 @@ struct Replicates {
   std::vector<double> rest_of_run;  ///< value less the mean of its point; 0 without a value
 
   Index size() const { return points.rows(); }
+  Index second_seeds() const { return static_cast<Index>(freedom_within); }
 };
 
 /// Puts runs together whose points differ by less than 1e-9 of the box in each parameter. `points` has a row per run;

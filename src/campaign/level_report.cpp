@@ -68,17 +68,6 @@ std::ptrdiff_t runs_ended(const LevelRuns& level) {
   return std::count_if(level.records.begin(), level.records.end(), has_ended);
 }
 
-/// Runs that have ended at a point where another of the same experiment has.
-int second_seeds(const LevelRuns& level) {
-  int count = 0;
-  std::set<std::pair<std::size_t, std::vector<double>>> seen;
-  for (std::size_t i = 0; i < level.runs.size(); ++i) {
-    const StudyRun& run = level.runs[i];
-    if (has_ended(level.records[i]) && !seen.emplace(run.experiment, run.values).second) ++count;
-  }
-  return count;
-}
-
 /// Whether a record has a value of observable `k` of the deck.
 bool has_value(const CalibrationDeck& deck, const RunRecord& record, std::size_t k) {
   const ObservableDeck& o = deck.observables[k];
@@ -235,13 +224,9 @@ std::string levels_text(const CalibrationDeck& deck, std::span<const StudyRun> r
   std::string text;
   for (std::size_t level = 0; level < deck.levels.size(); ++level) {
     const LevelRuns own = runs_of_level(level, runs, records);
-    text += fmt::format("level {:20} {} points, {} runs, {:.3g} core-hours at {:.3g} particle-steps/s",
+    text += fmt::format("level {:20} {} points, {} runs, {:.3g} core-hours at {:.3g} particle-steps/s\n",
                         deck.levels[level].name, points_ended(own), runs_ended(own),
                         core_hours(deck, own.runs, own.records), deck.adaptive.core_speed);
-    const int seeds = second_seeds(own);
-    if (level > 0 && seeds < least_second_seeds)
-      text += fmt::format("; {} second seeds: taken to scatter as {}", seeds, deck.levels[level - 1].name);
-    text += "\n";
   }
   return text;
 }
@@ -254,7 +239,9 @@ Json links_json(const CalibrationDeck& deck, const Misfit& misfit, Index observa
                     {"below", deck.levels[level - 1].name},
                     {"rho", json_number(surface->rho(level))},
                     {"rho_standard_error", json_number(surface->rho_deviation(level))},
-                    {"explained", json_number(surface->explained(level))}});
+                    {"explained", json_number(surface->explained(level))},
+                    {"second_seeds", surface->data(level).second_seeds()},
+                    {"scatter_from", deck.levels[has_own_scatter(surface->data(level)) ? level : level - 1].name}});
   }
   return list;
 }
@@ -264,9 +251,13 @@ std::string links_text(const CalibrationDeck& deck, const Misfit& misfit) {
   for (Index k = 0; k < misfit.observables(); ++k) {
     const LevelSurface* surface = level_surface(misfit, k);
     for (std::size_t level = 1; surface != nullptr && level < deck.levels.size(); ++level) {
-      text += fmt::format("{:26} {} = {:.3g} (+- {:.2g}) x {} + a rest; {:.0f} % of it explained\n", surface->name(),
-                          deck.levels[level].name, surface->rho(level), surface->rho_deviation(level),
-                          deck.levels[level - 1].name, 100.0 * surface->explained(level));
+      const std::string& below = deck.levels[level - 1].name;
+      text += fmt::format("{:26} {} = {:.3g} (+- {:.2g}) x {} + a rest; {:.0f} % of it explained", surface->name(),
+                          deck.levels[level].name, surface->rho(level), surface->rho_deviation(level), below,
+                          100.0 * surface->explained(level));
+      const Replicates& data = surface->data(level);
+      if (!has_own_scatter(data)) text += fmt::format("; {} second seeds: scatters as {}", data.second_seeds(), below);
+      text += "\n";
     }
   }
   return text;

@@ -72,7 +72,8 @@ nlohmann::ordered_json levels_json(const CalibrationDeck& deck, std::span<const 
 std::string levels_text(const CalibrationDeck& deck, std::span<const StudyRun> runs,
                         std::span<const RunRecord> records);
 
-/// Of each observable and level what it takes of the level below, rho, and what that explains.
+/// Of each observable and level what it takes of the level below, rho, what that explains, and whose scatter its runs
+/// are taken to have.
 nlohmann::ordered_json links_json(const CalibrationDeck& deck, const Misfit& misfit, Index observable);
 std::string links_text(const CalibrationDeck& deck, const Misfit& misfit);
 

@@ -218,6 +218,7 @@ class Report(SharedFolderTest):
         for observable in estimate["observables"]:
             for link in observable["links"]:
                 self.assertIn((link["rho"], link["rho_standard_error"]), page.titled("levels")["rho"])
+                self.assertIn(link["scatter_from"], page.words("levels"))
         self.assertIn("small alone", page.words("others"))
         self.assertIn("without the discrepancy", page.words("others"))
         from repose import Calibration

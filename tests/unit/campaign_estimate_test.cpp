@@ -110,17 +110,21 @@ TEST(EstimateReport, CountsWhatHasBeenRunOfEachLevel) {
   EXPECT_NE(text.find("level hard                 4 points, 4 runs, "), std::string::npos) << text;
 }
 
-TEST(EstimateReport, SaysOfWhichLevelTheScatterIsTakenFromBelow) {
-  const auto says = [](const std::string& seeds_of_last) {
-    const CalibrationDeck deck = read(parameter("x") + observable("f", 0.5, 0.05) + levels + seeds_of_last);
-    return text_of(deck, Done(deck, [](const StudyRun& run) -> Figures { return {run.values[0]}; }));
-  };
-  const std::string taken = "particle-steps/s; 0 second seeds: taken to scatter as soft\n";
-  const std::string of_one = says("");
-  const std::size_t at = of_one.find(taken);
-  ASSERT_NE(at, std::string::npos) << of_one;
-  EXPECT_GT(at, of_one.find("level hard"));
-  EXPECT_EQ(says("seeds = 2\n").find("second seeds"), std::string::npos);
+// Of the second observable only the first seeds have a value.
+TEST(EstimateReport, SaysWhoseScatterAnObservableOfALevelHas) {
+  const CalibrationDeck deck =
+      read(parameter("x") + observable("f", 0.5, 0.05) + observable("g", 0.5, 0.05) + levels + "seeds = 2\n");
+  const std::string text = text_of(deck, Done(deck, [](const StudyRun& run) -> Figures {
+                                     if (run.seed > 1) return {run.values[0], std::nullopt};
+                                     return {run.values[0], run.values[0]};
+                                   }));
+  const std::size_t f = text.find("f                          hard = ");
+  const std::size_t g = text.find("g                          hard = ");
+  ASSERT_NE(f, std::string::npos) << text;
+  ASSERT_NE(g, std::string::npos) << text;
+  const std::string taken = "% of it explained; 0 second seeds: scatters as soft\n";
+  EXPECT_EQ(text.substr(f, g - f).find("second seeds"), std::string::npos) << text;
+  EXPECT_NE(text.find(taken, g), std::string::npos) << text;
 }
 
 // All five points of the level are done, but two were plugged.

@@ -235,9 +235,10 @@ def levels(found):
     links = [[numbers.name(o["figure"]), html.escape(f"{link['level']} of {link['below']}"),
               numbers.number("rho", link["rho"], link["rho_standard_error"]),
               numbers.data(f"{100 * link['explained']:.0f} %" if link["explained"] is not None else "none",
-                           link["explained"])]
+                           link["explained"]),
+              html.escape(link.get("scatter_from", link["level"]))]
              for o in estimate["observables"] for link in o.get("links", ())]
-    return text + html.table(["figure", "levels", "rho", "explained"], links, numeric=(2, 3))
+    return text + html.table(["figure", "levels", "rho", "explained", "runs scatter as"], links, numeric=(2, 3))
 
 
 def other_estimate(estimate, content, title):

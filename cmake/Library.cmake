@@ -19,6 +19,8 @@ set(FUZZED_ROOMS base comm files deck scene domain heat measurement output therm
 # The compiler works longest on what it optimises and instruments; here no run and no test spends its time.
 set(COLD_ROOMS deck files pictures output run campaign commands)
 set(BRIEF_ROOMS pictures run campaign commands)
+# Where runs spend their time: tests have them as users do, each source by itself, but under the sanitizers.
+set(HOT_ROOMS base comm contact domain integration neighbours simulation)
 if(REPOSE_SANITIZE)
   set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
     $<$<CXX_COMPILER_ID:Clang>:-fsanitize=float-cast-overflow>)
@@ -26,7 +28,7 @@ if(REPOSE_SANITIZE)
   target_link_options(repose_flags INTERFACE ${sanitize})
 endif()
 
-# Off by default: an include that is missing is found by a build without.
+# Off by default: an include that is missing is found by a build without, such as that of tools/run-tests.sh --slow.
 option(REPOSE_JOIN "Compile many sources of a library as one, for quicker builds from nothing" OFF)
 add_library(repose_joined INTERFACE)
 target_compile_options(repose_joined INTERFACE -Wno-shadow)  # sources need not know each other's names
@@ -59,7 +61,7 @@ function(repose_library name)
   if(REPOSE_SANITIZE AND name IN_LIST BRIEF_ROOMS)
     target_compile_options(repose_${name} PRIVATE -O0)
   endif()
-  if(REPOSE_JOIN)
+  if(REPOSE_JOIN AND (REPOSE_SANITIZE OR NOT name IN_LIST HOT_ROOMS))
     repose_join(repose_${name} ${arg_APART})
   endif()
 endfunction()

@@ -7,7 +7,8 @@ usage="usage: tools/run-tests.sh [--slow | --all] [--asan]
   (none)   every test but those labelled slow; the unit tests a second time, those that communicate on 2 ranks too, under
            the address and undefined-behaviour sanitizers of clang; in the same build each fuzz target for 20 s. Less than
            45 minutes on 2 cores
-  --slow   the tests labelled slow instead, and each fuzz target for 5 minutes
+  --slow   the tests labelled slow instead, and each fuzz target for 5 minutes; in a build of the preset release, which
+           compiles each source by itself and so finds an include that is missing
   --all    every test
   --asan   all of the chosen tests a second time under the sanitizers"
 
@@ -40,10 +41,11 @@ end_build() {
   trap - EXIT
 }
 
+preset=ci
 chosen=(-LE '^slow$')
 for option in "$@"; do
   case $option in
-    --slow) chosen=(-L '^slow$') only_slow=yes ;;
+    --slow) preset=release chosen=(-L '^slow$') only_slow=yes ;;
     --all) chosen=() ;;
     --asan) everything_sanitized=yes ;;
     -h | --help) echo "$usage" && exit 0 ;;
@@ -65,9 +67,9 @@ fi
 optional=()
 if (($(id -u) == 0)); then optional=("${slurm_packages[@]}"); fi
 set_up run-tests "${build_packages[@]}" "${test_packages[@]}" "${optional[@]}"
-build ci
+build "$preset"
 begin_build asan "${targets[@]}"
-run_ctest ci "${chosen[@]}"
+run_ctest "$preset" "${chosen[@]}"
 end_build
 stage "Build (asan), what is left" cmake --build --preset asan --parallel "$(nproc)" --target "${targets[@]}"
 run_ctest asan "${sanitized[@]}"

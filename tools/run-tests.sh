@@ -23,24 +23,6 @@ run_ctest() {
   fi
 }
 
-# begin_build PRESET TARGET...: configures, and builds in the background until end_build. Tests wait much of their time,
-# for other ranks and for the clock; this takes what they leave of the cores, and no more.
-begin_build() {
-  local preset=$1
-  shift
-  stage "Configure ($preset)" cmake --preset "$preset"
-  chrt --idle 0 ninja -C "build/$preset" -j "$(nproc)" "$@" >"build/run-tests.$preset.log" 2>&1 </dev/null &
-  beside=$!
-  trap end_build EXIT
-}
-
-# end_build: stops what begin_build began; what is built remains.
-end_build() {
-  kill "$beside" 2>/dev/null || true
-  wait "$beside" || true
-  trap - EXIT
-}
-
 preset=ci
 chosen=(-LE '^slow$')
 for option in "$@"; do
@@ -68,8 +50,6 @@ optional=()
 if (($(id -u) == 0)); then optional=("${slurm_packages[@]}"); fi
 set_up run-tests "${build_packages[@]}" "${test_packages[@]}" "${optional[@]}"
 build "$preset"
-begin_build asan "${targets[@]}"
 run_ctest "$preset" "${chosen[@]}"
-end_build
-stage "Build (asan), what is left" cmake --build --preset asan --parallel "$(nproc)" --target "${targets[@]}"
+build asan --target "${targets[@]}"
 run_ctest asan "${sanitized[@]}"

@@ -18,10 +18,11 @@ constexpr double noise_slope_scatter = 1.5;
 constexpr double usual_log_added = -2.3;
 constexpr double log_added_scatter = 2.0;
 
+constexpr int least_second_seeds = 4;  ///< with fewer, runs do not tell their scatter themselves
+
 /// Without second seeds nothing tells how runs scatter but what their points are off a smooth surface, of which few
 /// points say little. Then runs scatter as those of the level below do, within this of ln of the variance.
 constexpr double log_noise_apart = 1.0;
-constexpr int least_second_seeds = 4;
 constexpr double least_taken = 0.01;  ///< where the level below is of no use, it says little of the noise, too
 
 constexpr int rounds_of_rho = 4;

@@ -19,6 +19,7 @@ struct Replicates {
   std::vector<double> rest_of_run;  ///< value less the mean of its point; 0 without a value
 
   Index size() const { return points.rows(); }
+  /// Runs beside the first of their point: `freedom_within` as a count.
   Index second_seeds() const { return static_cast<Index>(freedom_within); }
 };
 

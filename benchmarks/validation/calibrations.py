@@ -117,42 +117,75 @@ def runs_of_the_whole(calibration, centre):
     return runs
 
 
+class Tie:
+    """The counts of all of the mass as those of the cheapest level (of fits_of_counts) times one factor for each area, which the runs
+    of runs_of_the_whole say; and what the laboratory's counts then say of both coefficients."""
+
+    def __init__(self, calibration, fits, runs, centre):
+        self.fits, self.centre = fits, np.array(centre, dtype=float)
+        self.terms = terms_at(np.array([run["point"] for run in runs]).T, centre)
+        self.factors, self.around, self.variance, self.wanted = {}, {}, {}, {}
+        for observable in calibration.estimate["observables"]:
+            figure = observable["figure"]
+            counts, expected = np.array([run["counts"][figure] for run in runs]), np.exp(self.terms @ fits[figure][0])
+            self.factors[figure] = float(counts.sum() / expected.sum())
+            self.around[figure] = counts @ self.terms / counts.sum()
+            self.variance[figure] = 1.0 / counts.sum() + (observable["standard_error"] / observable["laboratory"]) ** 2
+            self.wanted[figure] = np.log(observable["laboratory"] / self.factors[figure])
+
+    def rest(self, figure, x, y):
+        """What the logarithm of the laboratory's count is above that at a point, or at many, and its variance: of the laboratory's
+        mean, of the factor's counts and of the fit."""
+        (found, own), terms = self.fits[figure], terms_at((x, y), self.centre)
+        away = terms - self.around[figure]
+        return self.wanted[figure] - terms @ found, self.variance[figure] + np.einsum("...i,ij,...j", away, own, away)
+
+    def misfit(self, x, y):
+        """T at a point, or at many: the squares of both rests over their variances."""
+        rests = [self.rest(figure, x, y) for figure in self.fits]
+        return sum(rest ** 2 / variance for rest, variance in rests)
+
+    def crossing(self):
+        """The point where both counts are the laboratory's and the covariance of its coefficients; None where they cross nowhere."""
+        point = self.centre.copy()
+        for _ in range(50):
+            x, y = point - self.centre
+            jacobian = np.array([[f[1] + 2.0 * f[3] * x + f[4] * y, f[2] + f[4] * x] for f, _ in self.fits.values()])
+            rests = [self.rest(figure, *point) for figure in self.fits]
+            point = point + np.linalg.solve(jacobian, [rest for rest, _ in rests])
+        if max(abs(rest) for rest, _ in rests) > 1e-9:
+            return None
+        inverse = np.linalg.inv(jacobian)
+        return point, inverse @ np.diag([variance for _, variance in rests]) @ inverse.T
+
+    def region(self, parameters, limit, count=401):
+        """The least and the greatest value of each coefficient where T is below its limit, on a lattice over the ranges."""
+        lattice = np.meshgrid(*(np.linspace(p["min"], p["max"], count) for p in parameters))
+        inside = self.misfit(*lattice) <= limit
+        return [(float(values[inside].min()), float(values[inside].max())) if inside.any() else None for values in lattice]
+
+
 def tied_to_the_whole(calibration, fits, centre):
-    """What the laboratory's counts say of both coefficients when those of all of the mass are those of the cheapest level times a
-    factor for each area: the factors, a row for each run that they are from, and the coefficients with their standard errors, of the
-    laboratory's mean, the factors' counts and the fits."""
-    runs, rows = runs_of_the_whole(calibration, centre), []
-    terms = np.array([terms_at(run["point"], centre) for run in runs])
-    factors, around, variance, wanted = {}, {}, {}, {}
-    for observable in calibration.estimate["observables"]:
-        figure = observable["figure"]
-        counts, expected = np.array([run["counts"][figure] for run in runs]), np.exp(terms @ fits[figure][0])
-        factors[figure] = float(counts.sum() / expected.sum())
-        around[figure] = counts @ terms / counts.sum()
-        variance[figure] = 1.0 / counts.sum() + (observable["standard_error"] / observable["laboratory"]) ** 2
-        wanted[figure] = np.log(observable["laboratory"] / factors[figure])
-    for run, at in zip(runs, terms):
+    """What the laboratory's counts say of both coefficients (Tie): the factors, a row for each run that they are from, and a row for
+    each coefficient with its standard error and its extent in the region."""
+    runs, estimate, rows = runs_of_the_whole(calibration, centre), calibration.estimate, []
+    tie = Tie(calibration, fits, runs, centre)
+    for run, at in zip(runs, tie.terms):
         rows.append({"level": run["level"], **dict(zip(calibration.parameters, run["point"]))})
-        for figure in fits:
-            rows[-1] |= {figure: run["counts"][figure], f"{figure} by the fit": factors[figure] * np.exp(at @ fits[figure][0])}
+        for figure, (found, _) in fits.items():
+            rows[-1] |= {figure: run["counts"][figure], f"{figure} by the fit": tie.factors[figure] * np.exp(at @ found)}
         rows[-1]["state_hash"] = run["state_hash"]
-    point, rest = np.array(centre, dtype=float), [np.inf]
-    for _ in range(50):
-        x, y = point - centre
-        jacobian = np.array([[f[1] + 2.0 * f[3] * x + f[4] * y, f[2] + f[4] * x] for f, _ in fits.values()])
-        rest = np.array([wanted[figure] - terms_at(point, centre) @ f for figure, (f, _) in fits.items()])
-        point = point + np.linalg.solve(jacobian, rest)
-    if np.max(np.abs(rest)) > 1e-9:  # the lines of the laboratory's counts do not cross
-        return {"factors": factors, "runs": rows}
-    for figure, (_, own) in fits.items():
-        away = terms_at(point, centre) - around[figure]
-        variance[figure] += away @ own @ away
-    inverse = np.linalg.inv(jacobian)
-    covariance = inverse @ np.diag([variance[figure] for figure in fits]) @ inverse.T
-    away = np.array(centre) - point
-    return {"factors": factors, "runs": rows, "misfit of the thesis's": float(away @ np.linalg.solve(covariance, away)),
-            "coefficients": [{"coefficient": name, "value": float(point[k]), "standard error": float(covariance[k, k] ** 0.5)}
-                             for k, name in enumerate(calibration.parameters)]}
+    crossing = tie.crossing()
+    regions = tie.region(estimate["parameters"], estimate["limit"])
+    coefficients = []
+    for k, (name, region) in enumerate(zip(calibration.parameters, regions)):
+        coefficients.append({"coefficient": name})
+        if crossing is not None:
+            point, covariance = crossing
+            coefficients[-1] |= {"value": float(point[k]), "standard error": float(covariance[k, k] ** 0.5)}
+        if region is not None:
+            coefficients[-1] |= {"region from": region[0], "to": region[1]}
+    return {"factors": tie.factors, "runs": rows, "misfit of the thesis's": float(tie.misfit(*centre)), "coefficients": coefficients}
 
 
 def study(options):

@@ -97,6 +97,11 @@ const LevelSurface* level_surface(const Misfit& misfit, Index observable) {
   return dynamic_cast<const LevelSurface*>(&misfit.surface(observable));
 }
 
+/// The name of the level whose runs say how those of a level above the first scatter: its own, or the one below it.
+const std::string& scatter_from(const CalibrationDeck& deck, const LevelSurface& surface, std::size_t level) {
+  return deck.levels[has_own_scatter(surface.data(level)) ? level : level - 1].name;
+}
+
 }  // namespace
 
 std::string states_text(std::span<const RunRecord> records) {
@@ -241,7 +246,7 @@ Json links_json(const CalibrationDeck& deck, const Misfit& misfit, Index observa
                     {"rho_standard_error", json_number(surface->rho_deviation(level))},
                     {"explained", json_number(surface->explained(level))},
                     {"second_seeds", surface->data(level).second_seeds()},
-                    {"scatter_from", deck.levels[has_own_scatter(surface->data(level)) ? level : level - 1].name}});
+                    {"scatter_from", scatter_from(deck, *surface, level)}});
   }
   return list;
 }
@@ -251,12 +256,14 @@ std::string links_text(const CalibrationDeck& deck, const Misfit& misfit) {
   for (Index k = 0; k < misfit.observables(); ++k) {
     const LevelSurface* surface = level_surface(misfit, k);
     for (std::size_t level = 1; surface != nullptr && level < deck.levels.size(); ++level) {
-      const std::string& below = deck.levels[level - 1].name;
-      text += fmt::format("{:26} {} = {:.3g} (+- {:.2g}) x {} + a rest; {:.0f} % of it explained", surface->name(),
-                          deck.levels[level].name, surface->rho(level), surface->rho_deviation(level), below,
+      const std::string& own = deck.levels[level].name;
+      text += fmt::format("{:26} {} = {:.3g} (+- {:.2g}) x {} + a rest; {:.0f} % of it explained", surface->name(), own,
+                          surface->rho(level), surface->rho_deviation(level), deck.levels[level - 1].name,
                           100.0 * surface->explained(level));
-      const Replicates& data = surface->data(level);
-      if (!has_own_scatter(data)) text += fmt::format("; {} second seeds: scatters as {}", data.second_seeds(), below);
+      const std::string& from = scatter_from(deck, *surface, level);
+      if (from != own) {
+        text += fmt::format("; {} second seeds: scatters as {}", surface->data(level).second_seeds(), from);
+      }
       text += "\n";
     }
   }

@@ -55,23 +55,6 @@ def above_the_cheapest(calibration, grid_rows):
     return rows
 
 
-def scatter_of_seeds(calibration):
-    """A row for each level whose points have several seeds: the standard deviation of each figure from seed to seed, pooled over
-    the points all of whose runs are done, which one whose hole was plugged is not, and have all figures."""
-    grid, rows = calibration.grid, []
-    for level in calibration.levels:
-        points = {}
-        for n in np.flatnonzero(grid["level"] == level):
-            points.setdefault(tuple(grid[name][n] for name in calibration.parameters), []).append(n)
-        done = [own for own in points.values() if len(own) > 1 and all(
-            grid["state"][n] == "done" and not np.isnan([grid[figure][n] for figure in calibration.figures]).any() for n in own)]
-        if done:
-            rows.append({"level": level, "points": len(done),
-                         **{figure: float(np.sqrt(np.mean([np.var(grid[figure][own], ddof=1) for own in done])))
-                            for figure in calibration.figures}})
-    return rows
-
-
 def terms_at(point, centre):
     """Of the logarithm of a count at a point, or at many: 1, x, y, x^2, x y from the centre."""
     x, y = (value - middle for value, middle in zip(point, centre))
@@ -204,13 +187,13 @@ def study(options):
             if fits:
                 of_case = {"slopes_of_counts": slopes_of_counts(calibration, fits),
                            "tied_to_the_whole": tied_to_the_whole(calibration, fits, centre)}
-        scatter, tied = scatter_of_seeds(calibration), of_case.get("tied_to_the_whole", {})
-        for rows, digits in ((differences, 4), (along, 3), (of_case.get("by_radius"), 4), (scatter, 2), (of_case.get("slopes_of_counts"), 3),
+        tied = of_case.get("tied_to_the_whole", {})
+        for rows, digits in ((differences, 4), (along, 3), (of_case.get("by_radius"), 4), (of_case.get("slopes_of_counts"), 3),
                              (tied.get("runs"), 3), (tied.get("coefficients"), 3)):
             if rows:
                 print_table(rows, digits=digits)
         is_complete = calibration.states["waiting"] == 0
         save(options.results / f"{name}.json", case=case, is_complete=is_complete, above_the_cheapest=differences,
-             along_the_first=along, scatter_of_seeds=scatter, **of_case, **content)
+             along_the_first=along, **of_case, **content)
         if not is_complete:
             raise SystemExit(f"{name} is not complete: the same command goes on")

@@ -115,6 +115,23 @@ def grid_rows(calibration):
             for point, own in rows.items()]
 
 
+def scatter_of_seeds(calibration):
+    """A row for each level, or one where there are none, whose points have several seeds: the standard deviation of each figure from
+    seed to seed, pooled over the points all of whose runs are done, which one whose hole was plugged is not, and have all figures."""
+    grid, rows = calibration.grid, []
+    for level in calibration.levels or [None]:
+        points = {}
+        for n in np.flatnonzero(grid["level"] == level) if level else range(grid.rows):
+            points.setdefault(tuple(grid[name][n] for name in calibration.parameters), []).append(n)
+        done = [own for own in points.values() if len(own) > 1 and all(
+            grid["state"][n] == "done" and not np.isnan([grid[figure][n] for figure in calibration.figures]).any() for n in own)]
+        if done:
+            rows.append({**({"level": level} if level else {}), "points": len(done),
+                         **{figure: float(np.sqrt(np.mean([np.var(grid[figure][own], ddof=1) for own in done])))
+                            for figure in calibration.figures}})
+    return rows
+
+
 def calibrate(options, name, path, rings=(), so_far=False):
     """A calibration over two parameters, drawn, beside the coefficients of its base; it and what is saved of it. What was stopped
     goes on. rings: those in which the grains of each run are counted. so_far: of one that is stopped by --time-limit, what its
@@ -138,8 +155,12 @@ def calibrate(options, name, path, rings=(), so_far=False):
     plots.plane(calibration).savefig(options.work / f"{name}.png", dpi=100)
     deck = calibration.deck
     rows = crossings(calibration, [coefficient(deck["base"], p["key"]) for p in deck["parameter"]])
+    scatter = scatter_of_seeds(calibration)
     print_table(rows)
-    return calibration, {"estimate": estimate_of(calibration), "crossings": rows, "rows": grid_rows(calibration)}
+    if scatter:
+        print_table(scatter, digits=2)
+    return calibration, {"estimate": estimate_of(calibration), "crossings": rows, "scatter_of_seeds": scatter,
+                         "rows": grid_rows(calibration)}
 
 
 def ring_name(low, high):

@@ -136,7 +136,7 @@ class Tie:
             jacobian = np.array([[f[1] + 2.0 * f[3] * x + f[4] * y, f[2] + f[4] * x] for f, _ in self.fits.values()])
             rests = [self.rest(figure, *point) for figure in self.fits]
             point = point + np.linalg.solve(jacobian, [rest for rest, _ in rests])
-        if max(abs(rest) for rest, _ in rests) > 1e-9:
+        if not np.max(np.abs([rest for rest, _ in rests])) <= 1e-9:  # or the steps have run off
             return None
         inverse = np.linalg.inv(jacobian)
         return point, inverse @ np.diag([variance for _, variance in rests]) @ inverse.T

@@ -102,34 +102,38 @@ def mean_of(grid, rows, observable):
     return round(float(np.mean(values)), 7) if values else None
 
 
+def rows_by_point(calibration):
+    """The keys of a point, its parameters and the level if there are several, and {point: the numbers of its rows in the grid}."""
+    grid = calibration.grid
+    keys = [*calibration.parameters, *(["level"] if calibration.levels else [])]
+    points = {}
+    for number in range(grid.rows):
+        points.setdefault(tuple(grid[key][number].item() for key in keys), []).append(number)
+    return keys, points
+
+
 def grid_rows(calibration):
     """A row for each point of the grid, with the means over its seeds and the state hashes of its runs."""
     grid = calibration.grid
-    keys = [*calibration.parameters, *(["level"] if calibration.levels else [])]
-    rows = {}
-    for number in range(grid.rows):
-        rows.setdefault(tuple(grid[key][number].item() for key in keys), []).append(number)
+    keys, points = rows_by_point(calibration)
     return [{**dict(zip(keys, point)), "state": " ".join(grid["state"][own]),
              **{observable["figure"]: mean_of(grid, own, observable) for observable in calibration.laboratory},
              "state_hash": [calibration.run(n).summary["state_hash"] for n in own if grid["state"][n] in ("done", "plugged")]}
-            for point, own in rows.items()]
+            for point, own in points.items()]
 
 
 def scatter_of_seeds(calibration):
     """A row for each level, or one where there are none, whose points have several seeds: the standard deviation of each figure from
     seed to seed, pooled over the points all of whose runs are done, which one whose hole was plugged is not, and have all figures."""
-    grid, rows = calibration.grid, []
-    for level in calibration.levels or [None]:
-        points = {}
-        for n in np.flatnonzero(grid["level"] == level) if level else range(grid.rows):
-            points.setdefault(tuple(grid[name][n] for name in calibration.parameters), []).append(n)
-        done = [own for own in points.values() if len(own) > 1 and all(
-            grid["state"][n] == "done" and not np.isnan([grid[figure][n] for figure in calibration.figures]).any() for n in own)]
-        if done:
-            rows.append({**({"level": level} if level else {}), "points": len(done),
-                         **{figure: float(np.sqrt(np.mean([np.var(grid[figure][own], ddof=1) for own in done])))
-                            for figure in calibration.figures}})
-    return rows
+    grid, figures = calibration.grid, calibration.figures
+    keys, points = rows_by_point(calibration)
+    done = {}
+    for point, own in points.items():
+        if len(own) > 1 and all(grid["state"][n] == "done" and not np.isnan([grid[figure][n] for figure in figures]).any() for n in own):
+            done.setdefault(point[len(calibration.parameters):], []).append(own)
+    return [{**dict(zip(keys[len(calibration.parameters):], level)), "points": len(of_level),
+             **{figure: float(np.sqrt(np.mean([np.var(grid[figure][own], ddof=1) for own in of_level]))) for figure in figures}}
+            for level, of_level in done.items()]
 
 
 def calibrate(options, name, path, rings=(), so_far=False):
